@@ -1,0 +1,2 @@
+//! The `pelletflow` binary.
+fn main() {}

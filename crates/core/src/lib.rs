@@ -1,0 +1,17 @@
+//! What a touch is and what it does: shapes, materials and contact laws, as pure functions.
+//!
+//! SI units throughout, always `f64`. This crate knows no threads, files or clocks.
+
+pub mod contact;
+pub mod material;
+pub mod pose;
+pub mod shape;
+
+pub use contact::{Contact, ContactForce, ContactHistory, ContactLaws};
+pub use material::{Material, MaterialPair, PairProperties};
+pub use nalgebra::{UnitQuaternion, UnitVector3};
+pub use pose::Pose;
+pub use shape::{Bounds, Shape, ShapeError, Surface};
+
+/// A point, a direction or a vector in space; the unit is that of its use.
+pub type Vec3 = nalgebra::Vector3<f64>;

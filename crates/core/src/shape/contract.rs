@@ -1,0 +1,287 @@
+//! What every shape promises, held for each row of one table.
+
+use super::{Profile, Shape, Surface};
+use crate::Vec3;
+use nalgebra::{UnitQuaternion, Vector3};
+
+/// One of each shape, with whether its distance is exact everywhere outside.
+fn registry() -> Vec<(&'static str, Shape, bool)> {
+    let turn = UnitQuaternion::from_euler_angles(0.4, -0.7, 1.1);
+    let cuboid = Shape::Cuboid {
+        half_sides: Vec3::new(0.5, 0.7, 0.3),
+    };
+    let ball = Shape::Sphere { radius: 0.6 };
+    let cylinder = Shape::Cylinder {
+        radius: 0.4,
+        half_length: 0.8,
+    };
+    let hopper = Profile::Closed {
+        corners: vec![
+            [0.3, -0.5],
+            [0.8, 0.4],
+            [0.8, 0.9],
+            [0.9, 0.9],
+            [0.9, 0.35],
+            [0.4, -0.5],
+        ],
+    };
+    let plate = Profile::Plate {
+        corners: vec![[0.3, -0.5], [0.8, 0.4], [0.8, 0.9]],
+        thickness: 0.1,
+    };
+    vec![
+        (
+            "half-space",
+            Shape::HalfSpace {
+                point: Vec3::new(0.1, 0.2, 0.3),
+                normal: nalgebra::Unit::new_normalize(Vec3::new(1.0, -2.0, 0.5)),
+            },
+            true,
+        ),
+        ("sphere", ball.clone(), true),
+        ("cylinder", cylinder.clone(), true),
+        (
+            "cone",
+            Shape::Cone {
+                lower_radius: 0.2,
+                upper_radius: 0.8,
+                half_length: 0.5,
+            },
+            true,
+        ),
+        (
+            "pointed cone",
+            Shape::Cone {
+                lower_radius: 0.0,
+                upper_radius: 0.8,
+                half_length: 0.5,
+            },
+            true,
+        ),
+        ("box", cuboid.clone(), true),
+        (
+            "revolution, closed",
+            Shape::Revolution { profile: hopper },
+            true,
+        ),
+        (
+            "revolution, plate",
+            Shape::Revolution { profile: plate },
+            true,
+        ),
+        (
+            "union",
+            Shape::Union {
+                of: vec![ball.clone().translated(Vec3::x()), cuboid.clone()],
+            },
+            true,
+        ),
+        (
+            "intersection",
+            Shape::Intersection {
+                of: vec![ball.clone(), cuboid.clone()],
+            },
+            false,
+        ),
+        (
+            "difference",
+            Shape::Difference {
+                of: Box::new(cuboid.clone()),
+                minus: Box::new(ball),
+            },
+            false,
+        ),
+        (
+            "translated",
+            cylinder.clone().translated(Vec3::new(0.2, -0.3, 0.1)),
+            true,
+        ),
+        ("rotated", cuboid.rotated(turn), true),
+        (
+            "rotated and translated",
+            cylinder.rotated(turn).translated(Vec3::y()),
+            true,
+        ),
+    ]
+}
+
+/// Points spread evenly and without a pattern over [−2, 2]³ (additive recurrence).
+fn points(count: usize) -> impl Iterator<Item = Vec3> {
+    (0..count).map(|index| {
+        let fraction = |ratio: f64| (0.5 + ratio * index as f64).fract() * 4.0 - 2.0;
+        Vector3::new(
+            fraction(0.819_172_513_396_164_4),
+            fraction(0.671_043_606_703_789_2),
+            fraction(0.549_700_477_901_970_2),
+        )
+    })
+}
+
+/// The gradient by central differences, with the largest change of normal over the stencil.
+fn numeric_gradient(shape: &Shape, point: Vec3, step: f64) -> (Vec3, f64) {
+    let center = shape.surface(point);
+    let mut gradient = Vec3::zeros();
+    let mut bend: f64 = 0.0;
+    for axis in 0..3 {
+        let offset = Vec3::ith(axis, step);
+        let (up, down) = (shape.surface(point + offset), shape.surface(point - offset));
+        gradient[axis] = (up.distance - down.distance) / (2.0 * step);
+        bend = bend
+            .max((up.normal - center.normal).norm())
+            .max((down.normal - center.normal).norm());
+    }
+    (gradient, bend)
+}
+
+#[test]
+fn every_normal_has_unit_length_and_is_the_gradient_of_the_distance() {
+    for (name, shape, _) in registry() {
+        for point in points(4000) {
+            let Surface { normal, .. } = shape.surface(point);
+            assert!((normal.norm() - 1.0).abs() < 1.0e-12, "{name} at {point:?}");
+            let (gradient, bend) = numeric_gradient(&shape, point, 1.0e-5);
+            // Where two parts meet the gradient jumps; the stencil must not straddle that.
+            if bend < 1.0e-3 {
+                assert!(
+                    (gradient - normal).norm() < 1.0e-4,
+                    "{name} at {point:?}: {gradient:?} against {normal:?}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn no_distance_exceeds_the_true_distance_and_exact_ones_reach_the_surface() {
+    for (name, shape, is_exact) in registry() {
+        for point in points(2000) {
+            let surface = shape.surface(point);
+            if surface.distance <= 0.0 {
+                continue;
+            }
+            let landing = shape.surface(point - surface.distance * surface.normal);
+            assert!(
+                landing.distance > -1.0e-9,
+                "{name} at {point:?} overshoots by {}",
+                landing.distance
+            );
+            if is_exact {
+                assert!(
+                    landing.distance < 1.0e-9,
+                    "{name} at {point:?} stops {} short",
+                    landing.distance
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn the_distance_changes_no_faster_than_the_point_moves() {
+    for (name, shape, _) in registry() {
+        let all: Vec<Vec3> = points(1000).collect();
+        for pair in all.windows(2) {
+            let change = (shape.distance(pair[1]) - shape.distance(pair[0])).abs();
+            assert!(change <= (pair[1] - pair[0]).norm() + 1.0e-12, "{name}");
+        }
+    }
+}
+
+#[test]
+fn bounds_hold_every_inside_point() {
+    for (name, shape, _) in registry() {
+        let bounds = shape.bounds();
+        for point in points(8000) {
+            if shape.distance(point) <= 0.0 {
+                assert!(bounds.grown(1.0e-12).contains(point), "{name} at {point:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn mean_curvature_is_half_the_divergence_of_the_normal_at_the_surface() {
+    let step = 1.0e-6;
+    for (name, shape, is_exact) in registry() {
+        if !is_exact {
+            continue;
+        }
+        for point in points(2000) {
+            let surface = shape.surface(point);
+            let on_surface = point - (surface.distance - 1.0e-5) * surface.normal;
+            let (_, bend) = numeric_gradient(&shape, on_surface, step);
+            // Edges and the meeting of two parts have no curvature to compare.
+            if bend > 0.01 || surface.distance < 0.0 {
+                continue;
+            }
+            let divergence: f64 = (0..3)
+                .map(|axis| {
+                    let offset = Vec3::ith(axis, step);
+                    (shape.surface(on_surface + offset).normal[axis]
+                        - shape.surface(on_surface - offset).normal[axis])
+                        / (2.0 * step)
+                })
+                .sum();
+            let here = shape.surface(on_surface).mean_curvature;
+            // A level set 10 µm above a surface of curvature κ = 2 H bends less by the share κ · 10 µm.
+            assert!(
+                (divergence / 2.0 - here).abs() < 1.0e-3 + 3.0e-5 * here * here,
+                "{name} at {on_surface:?}: {} against {here}",
+                divergence / 2.0
+            );
+        }
+    }
+}
+
+#[test]
+fn a_hollow_surface_has_negative_curvature() {
+    let pipe = Shape::Revolution {
+        profile: Profile::Closed {
+            corners: vec![[0.3, -1.0], [0.3, 1.0], [0.4, 1.0], [0.4, -1.0]],
+        },
+    };
+    let inside = pipe.surface(Vec3::new(0.2, 0.0, 0.0));
+    assert!((inside.distance - 0.1).abs() < 1.0e-15);
+    assert!((inside.mean_curvature + 0.5 / 0.3).abs() < 1.0e-12);
+    let outside = pipe.surface(Vec3::new(0.5, 0.0, 0.0));
+    assert!((outside.mean_curvature - 0.5 / 0.4).abs() < 1.0e-12);
+}
+
+#[test]
+fn impossible_shapes_are_refused() {
+    let crossing = Shape::Revolution {
+        profile: Profile::Closed {
+            corners: vec![[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]],
+        },
+    };
+    let refused = [
+        Shape::Sphere { radius: 0.0 },
+        Shape::Cylinder {
+            radius: 1.0,
+            half_length: f64::NAN,
+        },
+        Shape::Cuboid {
+            half_sides: Vec3::new(1.0, -1.0, 1.0),
+        },
+        Shape::Union { of: vec![] },
+        Shape::Revolution {
+            profile: Profile::Plate {
+                corners: vec![[0.1, 0.0]],
+                thickness: 0.1,
+            },
+        },
+        Shape::Revolution {
+            profile: Profile::Plate {
+                corners: vec![[-0.1, 0.0], [0.1, 0.0]],
+                thickness: 0.1,
+            },
+        },
+        crossing,
+    ];
+    for shape in refused {
+        assert!(shape.validate().is_err(), "{shape:?}");
+    }
+    for (name, shape, _) in registry() {
+        assert_eq!(shape.validate(), Ok(()), "{name}");
+    }
+}

@@ -1,0 +1,111 @@
+//! What can go wrong, before a run and in it.
+
+use pelletflow_core::Vec3;
+
+/// A mistake in a setup.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{key}: {message}")]
+pub struct SetupError {
+    /// Dotted key of the scene table it belongs to, such as `walls.cone` or `inlets.feed.rate`.
+    pub key: String,
+    /// What is wrong, its value, the bound and the cure, in one sentence or two.
+    pub message: String,
+}
+
+impl SetupError {
+    pub(crate) fn new(key: impl Into<String>, message: impl Into<String>) -> Self {
+        Self {
+            key: key.into(),
+            message: message.into(),
+        }
+    }
+}
+
+/// A run that went wrong; the state is that before the failed step.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum StepError {
+    /// A position or velocity is not a number.
+    #[error(
+        "pellet {pellet} has a position or velocity that is not finite at step {step}, t = {time:.6} s; \
+         lower `time.peak_force_error`, so that the step shrinks"
+    )]
+    NotFinite {
+        /// Permanent number of the pellet [-].
+        pellet: u32,
+        /// Step [-].
+        step: u64,
+        /// Simulated time [s].
+        time: f64,
+    },
+    /// An overlap past its limit.
+    #[error(
+        "pellet {pellet} overlaps {partner} by {ratio:.3} of its radius at step {step}, t = {time:.6} s; \
+         the limit is {limit} (`limits.overlap_ratio`): stiffen the material, slow the impact or lower \
+         `time.peak_force_error`"
+    )]
+    Overlap {
+        /// Permanent number of the pellet [-].
+        pellet: u32,
+        /// The other body, as `pellet 7` or ``wall `cone` ``.
+        partner: String,
+        /// Overlap over the smaller radius [-].
+        ratio: f64,
+        /// The limit [-].
+        limit: f64,
+        /// Step [-].
+        step: u64,
+        /// Simulated time [s].
+        time: f64,
+    },
+    /// A pellet that left the domain without an outlet.
+    #[error(
+        "pellet {pellet} left the domain at ({:.4}, {:.4}, {:.4}) m with {speed:.2} m/s at t = {time:.6} s, nearest wall \
+         {nearest_wall}; close the gap, widen `domain` or put an outlet there",
+        position.x, position.y, position.z
+    )]
+    Lost {
+        /// Permanent number of the pellet [-].
+        pellet: u32,
+        /// Where [m].
+        position: Vec3,
+        /// How fast [m/s].
+        speed: f64,
+        /// The nearest wall and its distance, ready to print.
+        nearest_wall: String,
+        /// Simulated time [s].
+        time: f64,
+    },
+    /// An energy ledger that does not close.
+    #[error(
+        "the energy ledger is off by {residual:.3e} J of {throughput:.3e} J at step {step}, t = {time:.6} s, more than \
+         {limit} (`limits.energy_residual`); lower `time.peak_force_error`, so that the step shrinks"
+    )]
+    Energy {
+        /// What is missing or too much [J].
+        residual: f64,
+        /// Energy that went through the ledger [J].
+        throughput: f64,
+        /// The limit, as a share [-].
+        limit: f64,
+        /// Step [-].
+        step: u64,
+        /// Simulated time [s].
+        time: f64,
+    },
+    /// A feeder that cannot hold its rate.
+    #[error(
+        "inlet `{inlet}` owes {owed:.3} kg at t = {time:.6} s, more than it feeds in {patience} s: pellets do not leave its \
+         region fast enough; widen the region, raise the velocity or lower the rate"
+    )]
+    InletBlocked {
+        /// Name of the inlet.
+        inlet: String,
+        /// Mass due and not inserted [kg].
+        owed: f64,
+        /// Time of feeding that may be owed [s].
+        patience: f64,
+        /// Simulated time [s].
+        time: f64,
+    },
+}

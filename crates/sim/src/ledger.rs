@@ -1,0 +1,71 @@
+//! The books of mass and energy, and what contacts have done.
+
+use serde::{Deserialize, Serialize};
+
+/// A number of pellets and their mass.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct PelletTally {
+    /// How many [-].
+    pub count: u64,
+    /// Their mass [kg].
+    pub mass: f64,
+}
+
+/// Where every pellet went: inserted = inside + discharged + lost.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct MassLedger {
+    /// Put in by fills and inlets.
+    pub inserted: PelletTally,
+    /// Now inside.
+    pub inside: PelletTally,
+    /// Left through an outlet.
+    pub discharged: PelletTally,
+    /// Left elsewhere.
+    pub lost: PelletTally,
+    /// Fed by each inlet.
+    pub by_inlet: Vec<PelletTally>,
+    /// Left through each outlet.
+    pub by_outlet: Vec<PelletTally>,
+}
+
+/// Where the energy went, all in joules.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct EnergyLedger {
+    /// Of motion and spin, now [J].
+    pub kinetic: f64,
+    /// In gravity, now, from the origin [J].
+    pub potential: f64,
+    /// In contact springs, now [J].
+    pub elastic: f64,
+    /// Turned into heat so far [J].
+    pub dissipated: f64,
+    /// Brought in by inserted pellets, less that taken out by those that left [J].
+    pub carried_in: f64,
+    /// Done by moving walls and belts so far [J].
+    pub wall_work: f64,
+    /// What the books miss: kinetic + potential + elastic + dissipated − `carried_in` − `wall_work` [J].
+    pub residual: f64,
+    /// Energy that went through the books, against which the residual is small or not [J].
+    pub throughput: f64,
+}
+
+/// What contacts have done.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct ContactStatistics {
+    /// Contacts open now [-].
+    pub open: u64,
+    /// Contacts per pellet now, each counted at both its pellets and a wall's at one [-].
+    pub mean_coordination: f64,
+    /// Greatest normal force so far [N].
+    pub max_force: f64,
+    /// Greatest overlap over the smaller radius so far [-].
+    pub max_overlap_ratio: f64,
+    /// Contacts that opened and closed again so far [-].
+    pub finished: u64,
+    /// Steps that those lasted, on average [-]; 0 where none finished.
+    pub mean_steps: f64,
+    /// Steps that the shortest of those lasted [-]; 0 where none finished.
+    pub fewest_steps: u64,
+    /// Contacts evaluated so far, summed over steps [-].
+    pub contact_steps: u64,
+}
