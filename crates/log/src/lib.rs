@@ -1,1 +1,2 @@
-//! Placeholder.
+//! Recordings and summaries out.
+pub mod surface;
