@@ -110,7 +110,13 @@ impl Grid {
         }
         let sides = [(b - a).norm(), (c - b).norm(), (a - c).norm()];
         let longest = (0..3)
-            .reduce(|best, side| if sides[side] > sides[best] { side } else { best })
+            .reduce(|best, side| {
+                if sides[side] > sides[best] {
+                    side
+                } else {
+                    best
+                }
+            })
             .expect("a triangle has three sides");
         if sides[longest] <= self.finest {
             return split(corners, outside, result);
