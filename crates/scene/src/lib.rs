@@ -1,1 +1,35 @@
-//! Placeholder.
+//! Scene files: text in, a validated model out.
+//!
+//! One set of types under `spec` says what a scene may hold. The JSON Schema is made from them, and
+//! the same schema checks a scene, so that what an editor completes is what is accepted.
+//! A scene goes through three gates, each of which reports every mistake that it finds:
+//! the schema (`walk`), the tables against each other (`resolve`), and the physics ([`pelletflow_sim::Model::new`]).
+
+mod draft;
+mod expect;
+mod key_path;
+mod mistakes;
+mod named;
+mod number;
+mod overrides;
+mod quantity;
+mod resolve;
+mod scene;
+mod schema;
+mod source;
+mod spec;
+mod suggest;
+mod template;
+mod units;
+mod walk;
+
+pub use expect::{ExpectationOutcome, Expectations};
+pub use mistakes::{Mistake, Mistakes, Place, SceneError};
+pub use overrides::{Override, OverrideError};
+pub use resolve::{OutputOptions, Strength};
+pub use scene::Scene;
+pub use schema::schema;
+pub use template::{TEMPLATES, Template};
+
+#[cfg(test)]
+mod contract;

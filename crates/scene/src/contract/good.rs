@@ -1,0 +1,304 @@
+//! What a scene without mistakes becomes.
+
+use super::{GOOD, draft, draft_with};
+use crate::{TEMPLATES, schema};
+use pelletflow_core::{Shape, Vec3};
+use pelletflow_sim::{
+    FillAmount, Motion, Rate, Setup, SizeDistribution, StepRequest, StopCondition,
+};
+use serde_json::json;
+
+fn setup(text: &str) -> Setup {
+    match draft(text) {
+        Ok(draft) => draft.resolved.setup,
+        Err(mistakes) => panic!("{mistakes}"),
+    }
+}
+
+#[test]
+fn units_names_and_defaults_are_resolved() {
+    let setup = setup(GOOD);
+    assert_eq!(setup.gravity, Vec3::new(0.0, 0.0, -9.81));
+    assert_eq!(setup.materials[0].name, "pellet");
+    // E = 2 G (1 + ν); one rounding.
+    assert!((setup.materials[0].material.youngs_modulus / 146.4e6 - 1.0).abs() < 1.0e-15);
+    assert_eq!(setup.pairs[1].0, [1, 0]);
+    assert_eq!(setup.pairs[0].1.rolling_friction, 0.0);
+    assert_eq!(
+        setup.pellets[0].size,
+        SizeDistribution::Single { diameter: 0.015 }
+    );
+    assert_eq!(setup.fills[0].amount, FillAmount::Count(10));
+    assert_eq!(setup.step, StepRequest::PeakForceError(1.0e-3));
+    assert!(setup.skips.rotation && setup.skips.distant_walls);
+}
+
+#[test]
+fn templates_and_examples_are_without_mistakes() {
+    for template in TEMPLATES {
+        setup(template.text);
+    }
+    for text in [
+        include_str!("../../../../examples/scenes/hopper.toml"),
+        include_str!("../../../../examples/scenes/chute.toml"),
+    ] {
+        setup(text);
+    }
+}
+
+/// The scene with another shape for its wall.
+fn shape(written: &str) -> Shape {
+    let kept = "{ kind = \"half-space\", point = [0, 0, 0], normal = [0, 0, 2] }";
+    setup(&GOOD.replacen(kept, written, 1))
+        .walls
+        .remove(0)
+        .shape
+}
+
+#[test]
+fn shapes_stand_where_they_are_put() {
+    // Each with a point of its surface and the way out there.
+    for (written, point, normal) in [
+        (
+            "{ kind = \"sphere\", center = [1, 2, 3], radius = 0.5 }",
+            [1.5, 2.0, 3.0],
+            [1.0, 0.0, 0.0],
+        ),
+        (
+            "{ kind = \"cylinder\", base = [0, 0, 1], radius = 0.5, height = 2 }",
+            [0.1, 0.0, 3.0],
+            [0.0, 0.0, 1.0],
+        ),
+        (
+            "{ kind = \"cylinder\", base = [0, 0, 1], axis = [1, 0, 0], radius = 0.5, height = 2 }",
+            [2.0, 0.1, 1.0],
+            [1.0, 0.0, 0.0],
+        ),
+        (
+            "{ kind = \"cone\", base = [0, 0, 1], axis = [0, 0, -1], lower_radius = 0.5, upper_radius = 0.2, height = 2 }",
+            [0.1, 0.0, -1.0],
+            [0.0, 0.0, -1.0],
+        ),
+        (
+            "{ kind = \"box\", min = [0, 0, 0], max = [1, 2, 3] }",
+            [0.5, 2.0, 1.5],
+            [0.0, 1.0, 0.0],
+        ),
+        (
+            "{ kind = \"box\", center = [1, 1, 1], size = [1, 1, 1] }",
+            [1.0, 1.0, 0.5],
+            [0.0, 0.0, -1.0],
+        ),
+        (
+            "{ kind = \"plate\", center = [0, 0, 1], size = [2, 1, 0.1], incline = \"30 deg\" }",
+            [0.0, 0.0, 1.0],
+            [0.5, 0.0, 0.75_f64.sqrt()],
+        ),
+        (
+            "{ kind = \"plate\", center = [0, 0, 1], size = [2, 1, 0.1], incline = \"30 deg\", heading = \"90 deg\" }",
+            [0.0, 0.0, 1.0],
+            [0.0, 0.5, 0.75_f64.sqrt()],
+        ),
+        (
+            "{ kind = \"revolution\", profile = [[0.2, 0], [0.4, 0], [0.4, 1], [0.2, 1]], base = [0, 0, 2] }",
+            [0.3, 0.0, 3.0],
+            [0.0, 0.0, 1.0],
+        ),
+        (
+            "{ kind = \"revolution\", profile = [[0.3, 0], [0.3, 1]], thickness = 0.1 }",
+            [0.35, 0.0, 0.5],
+            [1.0, 0.0, 0.0],
+        ),
+        (
+            "{ kind = \"union\", of = [{ kind = \"sphere\", center = [0, 0, 0], radius = 1 }, { kind = \"sphere\", center = [3, 0, 0], radius = 1 }] }",
+            [4.0, 0.0, 0.0],
+            [1.0, 0.0, 0.0],
+        ),
+        (
+            "{ kind = \"difference\", of = { kind = \"sphere\", center = [0, 0, 0], radius = 1 }, minus = { kind = \"sphere\", center = [0, 0, 0], radius = 0.5 } }",
+            [0.0, 0.5, 0.0],
+            [0.0, -1.0, 0.0],
+        ),
+        (
+            "{ kind = \"sphere\", center = [1, 0, 0], radius = 0.5, rotate = { axis = [0, 0, 1], angle = \"90 deg\", about = [2, 0, 0] }, translate = [0, 0, 1] }",
+            [2.0, -1.5, 1.0],
+            [0.0, -1.0, 0.0],
+        ),
+    ] {
+        let surface = shape(written).surface(Vec3::from(point));
+        // Rounding of a few turns and moves.
+        assert!(surface.distance.abs() < 1.0e-12, "{written}: {surface:?}");
+        assert!(
+            (surface.normal - Vec3::from(normal)).norm() < 1.0e-12,
+            "{written}: {surface:?}"
+        );
+    }
+}
+
+#[test]
+fn gates_belts_feeders_and_stops_are_read() {
+    let setup = setup(&format!(
+        "{GOOD}
+[walls.gate]
+material = \"steel\"
+shape = {{ kind = \"sphere\", center = [0, 0, 0], radius = 0.1 }}
+opens_at = \"2 s\"
+closes_at = \"1 s\"
+surface_velocity = [\"2 m/s\", 0, 0]
+motion = {{ kind = \"rotating\", center = [0, 0, 0], axis = [0, 0, 3], rate = \"30 rpm\" }}
+
+[inlets.feed]
+pellets = \"ore\"
+rate = \"200 1/s\"
+region = {{ kind = \"box\", center = [0, 0, 1], size = [0.1, 0.1, 0.1] }}
+end = 0.5
+"
+    ));
+    let gate = &setup.walls[1];
+    assert!(
+        !gate.schedule.is_present(0.0)
+            && gate.schedule.is_present(1.5)
+            && !gate.schedule.is_present(3.0)
+    );
+    assert_eq!(gate.surface_velocity.x, 2.0);
+    assert!(
+        matches!(gate.motion, Motion::Rotating { rate, .. } if (rate - std::f64::consts::PI).abs() < 1.0e-12)
+    );
+    assert_eq!(setup.inlets[0].rate, Rate::Count(200.0));
+    assert_eq!(setup.inlets[0].end, 0.5);
+    let plan = draft(&format!(
+        "{GOOD}[stop]\nempty_after = 0.2\nsettled_after = 0.3\n"
+    ))
+    .expect("a plan")
+    .resolved
+    .plan;
+    assert!(matches!(
+        plan.stop[..],
+        [
+            StopCondition::Empty { after: 0.2 },
+            StopCondition::Settled { after: 0.3, .. }
+        ]
+    ));
+}
+
+#[test]
+fn the_chosen_domain_holds_everything_and_is_noted() {
+    let resolved = draft(GOOD).expect("good").resolved;
+    let bounds = resolved.setup.domain.bounds;
+    assert!(bounds.is_finite());
+    assert!(
+        bounds.contains(Vec3::new(0.1, 0.1, 0.2)) && bounds.contains(Vec3::new(0.0, 0.0, -1.1))
+    );
+    assert!(
+        resolved
+            .notes
+            .iter()
+            .any(|note| note.starts_with("domain: "))
+    );
+    let given = setup(&format!(
+        "{GOOD}[domain]\nmin = [-1, -1, -2]\nmax = [1, 1, 1]\n"
+    ));
+    assert_eq!(given.domain.bounds.min, Vec3::new(-1.0, -1.0, -2.0));
+}
+
+#[test]
+fn overrides_change_the_text_as_run_and_nothing_else() {
+    let sets = [
+        "pellets.ore.diameter=12 mm",
+        "contact.rolling = \"none\"",
+        "fill.bed.region.max=[0.2, 0.2, 0.2]",
+        "scene.gravity=[0, 0, -1.6]",
+        "walls.floor.shape.point.2=-0.5",
+        "expect.\"mass.lost\"=0",
+    ];
+    let draft = draft_with(GOOD, &sets).expect("good");
+    assert_eq!(
+        draft.resolved.setup.pellets[0].size,
+        SizeDistribution::Single { diameter: 0.012 }
+    );
+    assert_eq!(draft.resolved.setup.gravity.z, -1.6);
+    assert!(
+        draft.text.contains("diameter = \"12 mm\""),
+        "{}",
+        draft.text
+    );
+    let again = setup(&draft.text);
+    assert_eq!(again, draft.resolved.setup);
+    assert!(!draft.resolved.expectations.is_empty());
+}
+
+#[test]
+fn expectations_are_held_against_a_summary() {
+    let text = format!(
+        "{GOOD}
+[expect]
+tolerance = \"1 %\"
+\"mass.lost\" = 0
+mass.inserted = 32.0
+\"bodies.discharged\" = {{ min = 10 }}
+\"contacts.max_overlap_ratio\" = {{ max = 0.05 }}
+\"energy.kinetic_j\" = {{ value = 2.0, absolute = 0.1 }}
+\"ended\" = \"empty\"
+\"no.such_key\" = 1
+"
+    );
+    let expectations = draft(&text).expect("good").resolved.expectations;
+    let summary = json!({
+        "mass": { "lost": 0.0, "inserted": 32.2 },
+        "bodies": { "discharged": 9 },
+        "contacts": { "max_overlap_ratio": 0.04 },
+        "energy": { "kinetic_j": 2.05 },
+        "ended": "end-time",
+    });
+    let outcomes = expectations.check(&summary);
+    let met: Vec<(&str, bool)> = outcomes
+        .iter()
+        .map(|o| (o.key.as_str(), o.is_met))
+        .collect();
+    assert_eq!(
+        met,
+        [
+            ("mass.lost", true),
+            ("mass.inserted", true),
+            ("bodies.discharged", false),
+            ("contacts.max_overlap_ratio", true),
+            ("energy.kinetic_j", true),
+            ("ended", false),
+            ("no.such_key", false),
+        ]
+    );
+    assert_eq!(outcomes[6].found, "nothing");
+    assert_eq!(outcomes[2].expected, "at least 10");
+    assert_eq!(outcomes[4].expected, "2 ± 0.1");
+}
+
+#[test]
+fn the_schema_is_draft_7_and_refuses_unknown_keys_everywhere() {
+    let schema = schema();
+    assert!(
+        schema["$schema"]
+            .as_str()
+            .is_some_and(|id| id.contains("draft-07"))
+    );
+    let mut tables = 0;
+    every_object(&schema, &mut |object| {
+        if object["properties"].is_object() && object["properties"].get("tolerance").is_none() {
+            tables += 1;
+            assert_eq!(object["additionalProperties"], false, "{object:#}");
+        }
+        assert_ne!(object["type"], "null");
+    });
+    // Ten kinds of shape, four of motion, two meters, and some twenty tables.
+    assert!(tables > 30, "{tables}");
+}
+
+fn every_object(value: &serde_json::Value, visit: &mut impl FnMut(&serde_json::Value)) {
+    match value {
+        serde_json::Value::Object(object) => {
+            visit(value);
+            object.values().for_each(|inner| every_object(inner, visit));
+        }
+        serde_json::Value::Array(list) => list.iter().for_each(|inner| every_object(inner, visit)),
+        _ => {}
+    }
+}

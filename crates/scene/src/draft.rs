@@ -1,0 +1,91 @@
+//! A scene that has passed all gates but the physics.
+
+use crate::key_path::KeyPath;
+use crate::mistakes::{Findings, Mistakes};
+use crate::overrides::Override;
+use crate::resolve::{Resolved, resolve};
+use crate::schema::SCHEMA;
+use crate::source::Source;
+use crate::spec::SceneSpec;
+use crate::walk::walk;
+use serde::Deserialize;
+use serde::de::IntoDeserializer;
+use toml_edit::Value;
+
+/// A scene's text with its overrides, and what it says.
+#[derive(Debug)]
+pub(crate) struct Draft {
+    pub(crate) source: Source,
+    /// The text with the overrides in it.
+    pub(crate) text: String,
+    pub(crate) resolved: Resolved,
+}
+
+impl Draft {
+    /// Reads a scene up to its setup.
+    pub(crate) fn new(
+        mut source: Source,
+        name: &str,
+        overrides: &[Override],
+    ) -> Result<Self, Mistakes> {
+        let (text, mut scene) = with_overrides(&mut source, overrides)?;
+        let mut findings = walk(&SCHEMA, &mut scene);
+        // Another version has other keys: what else seems wrong would mislead.
+        let version = KeyPath::of(["schema_version"]);
+        if scene
+            .as_inline_table()
+            .is_some_and(|table| table.contains_key("schema_version"))
+            && let Some(other) = findings.0.iter().find(|f| f.path == version)
+        {
+            let only = Findings(vec![other.clone()]);
+            return Err(source.locate(only));
+        }
+        match SceneSpec::deserialize(scene.into_deserializer()) {
+            Ok(spec) => match resolve(&spec, name) {
+                Ok(resolved) if findings.is_empty() => {
+                    return Ok(Self {
+                        source,
+                        text,
+                        resolved,
+                    });
+                }
+                Ok(_) => {}
+                Err(later) => findings.extend_elsewhere(later),
+            },
+            // The walk has named the cause, unless schema and types disagree.
+            Err(error) if findings.is_empty() => {
+                findings.add(&KeyPath::root(), error.message().trim());
+            }
+            Err(_) => {}
+        }
+        Err(source.locate(findings))
+    }
+}
+
+/// The text with its overrides, and the same as one value.
+fn with_overrides(
+    source: &mut Source,
+    overrides: &[Override],
+) -> Result<(String, Value), Mistakes> {
+    let mut document = source.document().clone().into_mut();
+    if overrides.is_empty() {
+        return Ok((source.text().to_owned(), as_value(document)));
+    }
+    let mut findings = Findings::default();
+    for set in overrides {
+        source.mark_overridden(set.path());
+        set.apply(&mut document, &mut findings);
+    }
+    if findings.is_empty() {
+        Ok((document.to_string(), as_value(document)))
+    } else {
+        Err(source.locate(findings))
+    }
+}
+
+fn as_value(document: toml_edit::DocumentMut) -> Value {
+    document
+        .into_item()
+        .into_value()
+        .expect("the root of a document is a table")
+}

@@ -1,0 +1,198 @@
+//! Fills, inlets, outlets and meters, and how many pellets they come to.
+
+use super::{Resolver, velocity};
+use crate::key_path::KeyPath;
+use crate::number::show;
+use crate::quantity::FeedRate;
+use crate::spec::meter::MeterSpec;
+use pelletflow_core::{Bounds, Shape};
+use pelletflow_sim::{
+    Fill, FillAmount, Inlet, Meter, NamedMaterial, Outlet, PelletKind, Rate, SizeDistribution,
+};
+
+/// Most pellets of a scene; each takes about a kilobyte with its contacts [-].
+const MOST_PELLETS: f64 = 5.0e6;
+
+/// Most places of a lattice over a region that are searched for room [-].
+const MOST_SITES: f64 = 1.0e9;
+
+impl Resolver<'_> {
+    pub(super) fn fills(&mut self) -> Vec<Fill> {
+        let spec = self.spec;
+        spec.fill
+            .iter()
+            .map(|(name, fill)| {
+                let path = KeyPath::of(["fill", name]);
+                let amount = match (fill.count, fill.mass) {
+                    (Some(count), None) => FillAmount::Count(count),
+                    (None, Some(mass)) => FillAmount::Mass(mass.0),
+                    (count, _) => {
+                        self.findings.add(
+                            &path,
+                            if count.is_some() {
+                                "`count` and `mass` are both given; keep one"
+                            } else {
+                                "`count` or `mass` is missing; write for example `count = 1000` or `mass = \"50 kg\"`"
+                            },
+                        );
+                        FillAmount::Count(1)
+                    }
+                };
+                Fill {
+                    name: name.to_owned(),
+                    pellets: self.index(&spec.pellets, &fill.pellets, &path.key("pellets")),
+                    region: self.region(&fill.region, &path),
+                    amount,
+                    velocity: velocity(fill.velocity),
+                }
+            })
+            .collect()
+    }
+
+    pub(super) fn inlets(&mut self) -> Vec<Inlet> {
+        let spec = self.spec;
+        spec.inlets
+            .iter()
+            .map(|(name, inlet)| {
+                let path = KeyPath::of(["inlets", name]);
+                let (start, end) = self.span(inlet.start, inlet.end, &path);
+                Inlet {
+                    name: name.to_owned(),
+                    pellets: self.index(&spec.pellets, &inlet.pellets, &path.key("pellets")),
+                    region: self.region(&inlet.region, &path),
+                    rate: match inlet.rate {
+                        FeedRate::Mass(rate) => Rate::Mass(rate),
+                        FeedRate::Count(rate) => Rate::Count(rate),
+                    },
+                    velocity: velocity(inlet.velocity),
+                    start,
+                    end,
+                }
+            })
+            .collect()
+    }
+
+    pub(super) fn outlets(&mut self) -> Vec<Outlet> {
+        let spec = self.spec;
+        spec.outlets
+            .iter()
+            .map(|(name, outlet)| Outlet {
+                name: name.to_owned(),
+                region: self.shape(&outlet.region, &KeyPath::of(["outlets", name, "region"])),
+            })
+            .collect()
+    }
+
+    pub(super) fn meters(&mut self) -> Vec<Meter> {
+        let spec = self.spec;
+        spec.meters
+            .iter()
+            .map(|(name, meter)| {
+                let path = KeyPath::of(["meters", name]);
+                let name = name.to_owned();
+                match meter {
+                    MeterSpec::MassFlow { outlet } => Meter::MassFlow {
+                        name,
+                        outlet: self.index(&spec.outlets, outlet, &path.key("outlet")),
+                    },
+                    MeterSpec::WallForce { wall } => Meter::WallForce {
+                        name,
+                        wall: self.index(&spec.walls, wall, &path.key("wall")),
+                    },
+                }
+            })
+            .collect()
+    }
+
+    /// A region in which pellets appear, which must end somewhere.
+    fn region(&mut self, spec: &crate::spec::shape::ShapeSpec, path: &KeyPath) -> Shape {
+        let path = path.key("region");
+        let region = self.shape(spec, &path);
+        if !region.bounds().is_finite() {
+            self.findings.add(
+                &path,
+                "the region has no end; use a box, a cylinder or another shape of finite size",
+            );
+        }
+        region
+    }
+
+    /// Refuses a scene without pellets, and one with more than a computer holds.
+    pub(super) fn amounts(
+        &mut self,
+        fills: &[Fill],
+        inlets: &[Inlet],
+        materials: &[NamedMaterial],
+        pellets: &[PelletKind],
+    ) {
+        if fills.is_empty() && inlets.is_empty() {
+            self.findings.add(
+                &KeyPath::root(),
+                "the scene has no pellets; add a [fill.NAME] or an [inlets.NAME]",
+            );
+        }
+        let end_time = self.spec.time.end.0;
+        let mass_of = |kind: usize| {
+            let kind = pellets.get(kind)?;
+            let material = &materials.get(kind.material)?.material;
+            Some(material.density * mean_volume(&kind.size))
+        };
+        for fill in fills {
+            let count = match fill.amount {
+                FillAmount::Count(count) => Some(count as f64),
+                FillAmount::Mass(mass) => mass_of(fill.pellets).map(|of_one| mass / of_one),
+            };
+            let path = KeyPath::of(["fill", &fill.name]);
+            self.amount(count, &path, "fewer or larger pellets");
+            self.sites(&fill.region, pellets.get(fill.pellets), &path.key("region"));
+        }
+        for inlet in inlets {
+            let seconds = inlet.end.min(end_time) - inlet.start;
+            let count = match inlet.rate {
+                Rate::Count(rate) => Some(rate * seconds),
+                Rate::Mass(rate) => mass_of(inlet.pellets).map(|of_one| rate * seconds / of_one),
+            };
+            let path = KeyPath::of(["inlets", &inlet.name]);
+            self.amount(
+                count,
+                &path,
+                "a lower rate, a shorter time or larger pellets",
+            );
+        }
+    }
+
+    fn amount(&mut self, count: Option<f64>, path: &KeyPath, cure: &str) {
+        if let Some(count) = count.filter(|&count| count > MOST_PELLETS) {
+            let count = show((count / 1.0e5).round() * 1.0e5);
+            let most = show(MOST_PELLETS);
+            self.findings.add(
+                path,
+                format!("this is about {count} pellets; expected at most {most}: ask for {cure}"),
+            );
+        }
+    }
+
+    fn sites(&mut self, region: &Shape, kind: Option<&PelletKind>, path: &KeyPath) {
+        let Bounds { min, max } = region.bounds();
+        let Some(kind) = kind else { return };
+        let sites = (max - min).product() / kind.size.max_diameter().powi(3);
+        if sites.is_finite() && sites > MOST_SITES {
+            self.findings.add(
+                path,
+                format!(
+                    "the region has room for {} pellets; expected at most {}: make it smaller",
+                    show(sites.round()),
+                    show(MOST_SITES)
+                ),
+            );
+        }
+    }
+}
+
+/// Mean volume of the pellets of a size distribution [m³].
+fn mean_volume(size: &SizeDistribution) -> f64 {
+    let (min, max) = (size.min_diameter(), size.max_diameter());
+    // The mean of d³ over [min, max].
+    let mean_cube = (min + max) * (min * min + max * max) / 4.0;
+    std::f64::consts::PI / 6.0 * mean_cube
+}

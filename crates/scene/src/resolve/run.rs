@@ -1,0 +1,175 @@
+//! Time, stopping, output, laws, limits and skips.
+
+use super::{OutputOptions, Resolver};
+use crate::key_path::KeyPath;
+use crate::number::show;
+use crate::spec::header::{ContactSpec, NormalSpec, RollingSpec, SearchSpec, TangentialSpec};
+use crate::spec::run::{LimitsSpec, SkipSpec};
+use pelletflow_core::contact::{ContactLaws, NormalLaw, RollingLaw, TangentialLaw};
+use pelletflow_sim::{Limits, NeighborSearch, RunPlan, Skips, StepRequest, StopCondition};
+
+/// Error of the peak force that a step is chosen for [-].
+const PEAK_FORCE_ERROR: f64 = 1.0e-3;
+
+/// Speed below which a bed counts as at rest: a third of a pellet per second [m/s].
+const SETTLED_SPEED: f64 = 5.0e-3;
+
+/// Frames of a run where nothing is said [-].
+const FRAMES: f64 = 200.0;
+
+/// Fewest frames of a short run [-].
+const FEWEST_FRAMES: f64 = 20.0;
+
+/// Least time between frames where nothing is said, as of a film [s].
+const LEAST_FRAME_INTERVAL: f64 = 1.0 / 60.0;
+
+/// Meter readings of a run where nothing is said [-].
+const READINGS: f64 = 1000.0;
+
+/// Most frames or readings of a recording [-].
+const MOST_RECORDS: f64 = 1.0e6;
+
+/// Number of pellets up to which spheres are recorded where nothing is said [-].
+const SPHERES_UP_TO: usize = 2000;
+
+impl Resolver<'_> {
+    pub(super) fn step(&mut self) -> StepRequest {
+        let time = &self.spec.time;
+        match (time.step, time.peak_force_error) {
+            (Some(step), None) => {
+                if step.0 > time.end.0 {
+                    self.findings.add(
+                        &KeyPath::of(["time", "step"]),
+                        format!(
+                            "`step` is {} s; expected at most `end`, {} s",
+                            step.0, time.end.0
+                        ),
+                    );
+                }
+                StepRequest::Fixed(step.0)
+            }
+            (step, error) => {
+                if step.is_some() {
+                    self.findings.add(
+                        &KeyPath::of(["time", "step"]),
+                        "`step` and `peak_force_error` are both given; keep one, the other follows",
+                    );
+                }
+                StepRequest::PeakForceError(error.map_or(PEAK_FORCE_ERROR, |error| error.0))
+            }
+        }
+    }
+
+    pub(super) fn plan(&mut self) -> RunPlan {
+        let spec = self.spec;
+        let end_time = spec.time.end.0;
+        let frame_interval = spec.output.frame_interval.map_or_else(
+            || {
+                (end_time / FRAMES)
+                    .max(LEAST_FRAME_INTERVAL)
+                    .min(end_time / FEWEST_FRAMES)
+            },
+            |interval| interval.0,
+        );
+        let meter_interval = spec
+            .output
+            .meter_interval
+            .map_or(end_time / READINGS, |interval| interval.0);
+        for (key, interval) in [
+            ("frame_interval", frame_interval),
+            ("meter_interval", meter_interval),
+        ] {
+            if end_time / interval > MOST_RECORDS {
+                self.findings.add(
+                    &KeyPath::of(["output", key]),
+                    format!(
+                        "`{key}` is {} s, {} times in the run; expected at most {}: lengthen it",
+                        show(interval),
+                        show((end_time / interval).round()),
+                        show(MOST_RECORDS)
+                    ),
+                );
+            }
+        }
+        if spec.output.frame_interval.is_none() {
+            self.notes.push(format!(
+                "frames: one every {frame_interval:.4} s, chosen from the length of the run; set it with output.frame_interval"
+            ));
+        }
+        RunPlan {
+            end_time,
+            stop: self.stop(),
+            frame_interval,
+            meter_interval,
+        }
+    }
+
+    fn stop(&mut self) -> Vec<StopCondition> {
+        let stop = &self.spec.stop;
+        if stop.settled_speed.is_some() && stop.settled_after.is_none() {
+            self.findings.add(
+                &KeyPath::of(["stop", "settled_speed"]),
+                "`settled_speed` does nothing without `settled_after`; add for example `settled_after = \"1 s\"`",
+            );
+        }
+        let empty = stop
+            .empty_after
+            .map(|after| StopCondition::Empty { after: after.0 });
+        let settled = stop.settled_after.map(|after| StopCondition::Settled {
+            after: after.0,
+            speed: stop.settled_speed.map_or(SETTLED_SPEED, |speed| speed.0),
+        });
+        empty.into_iter().chain(settled).collect()
+    }
+
+    pub(super) fn output(&self) -> OutputOptions {
+        OutputOptions {
+            spheres_up_to: self.spec.output.spheres_up_to.unwrap_or(SPHERES_UP_TO),
+        }
+    }
+}
+
+pub(super) fn laws(spec: &ContactSpec) -> ContactLaws {
+    ContactLaws {
+        normal: match spec.normal {
+            NormalSpec::Hertz => NormalLaw::Hertz,
+        },
+        tangential: match spec.tangential {
+            TangentialSpec::None => TangentialLaw::None,
+            TangentialSpec::Mindlin => TangentialLaw::Mindlin,
+        },
+        rolling: match spec.rolling {
+            RollingSpec::None => RollingLaw::None,
+            RollingSpec::ConstantTorque => RollingLaw::ConstantTorque,
+        },
+    }
+}
+
+pub(super) fn search(spec: SearchSpec) -> NeighborSearch {
+    match spec {
+        SearchSpec::Auto => NeighborSearch::Auto,
+        SearchSpec::Grid => NeighborSearch::Grid,
+        SearchSpec::Tree => NeighborSearch::Tree,
+        SearchSpec::AllPairs => NeighborSearch::AllPairs,
+    }
+}
+
+pub(super) fn limits(spec: &LimitsSpec) -> Limits {
+    let default = Limits::default();
+    Limits {
+        overlap_ratio: spec
+            .overlap_ratio
+            .map_or(default.overlap_ratio, |share| share.0),
+        energy_residual: spec
+            .energy_residual
+            .map_or(default.energy_residual, |share| share.0),
+    }
+}
+
+pub(super) fn skips(spec: &SkipSpec) -> Skips {
+    let default = Skips::default();
+    Skips {
+        rotation: spec.rotation.unwrap_or(default.rotation),
+        distant_walls: spec.distant_walls.unwrap_or(default.distant_walls),
+    }
+}

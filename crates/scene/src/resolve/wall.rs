@@ -1,0 +1,137 @@
+//! Walls: shape, motion and schedule.
+
+use super::{Resolver, point, vector, velocity};
+use crate::key_path::KeyPath;
+use crate::quantity::Moment;
+use crate::spec::motion::MotionSpec;
+use crate::spec::wall::{GateState, ScheduleSpec, WallSpec};
+use pelletflow_sim::{Motion, Schedule, Wall};
+
+impl Resolver<'_> {
+    pub(super) fn walls(&mut self) -> Vec<Wall> {
+        let spec = self.spec;
+        spec.walls
+            .iter()
+            .map(|(name, wall)| {
+                let path = KeyPath::of(["walls", name]);
+                Wall {
+                    name: name.to_owned(),
+                    material: self.index(&spec.materials, &wall.material, &path.key("material")),
+                    shape: self.shape(&wall.shape, &path.key("shape")),
+                    motion: self.motion(&wall.motion, &path.key("motion")),
+                    surface_velocity: velocity(wall.surface_velocity),
+                    schedule: self.schedule(wall, &path),
+                }
+            })
+            .collect()
+    }
+
+    fn motion(&mut self, spec: &MotionSpec, path: &KeyPath) -> Motion {
+        match spec {
+            MotionSpec::Fixed => Motion::Fixed,
+            MotionSpec::Translating {
+                velocity: components,
+                start,
+                end,
+            } => {
+                let (start, end) = self.span(*start, *end, path);
+                Motion::Translating {
+                    velocity: velocity(Some(*components)),
+                    start,
+                    end,
+                }
+            }
+            MotionSpec::Rotating {
+                center,
+                axis,
+                rate,
+                start,
+                end,
+            } => {
+                let (start, end) = self.span(*start, *end, path);
+                Motion::Rotating {
+                    center: point(*center),
+                    axis: self.direction(*axis, &path.key("axis")),
+                    rate: rate.0,
+                    start,
+                    end,
+                }
+            }
+            MotionSpec::Vibrating {
+                amplitude,
+                frequency,
+            } => Motion::Vibrating {
+                amplitude: vector(amplitude.map(|coordinate| coordinate.0)),
+                frequency: frequency.0,
+            },
+        }
+    }
+
+    /// From 0 where no start is given, without end where no end is given.
+    pub(super) fn span(
+        &mut self,
+        start: Option<Moment>,
+        end: Option<Moment>,
+        path: &KeyPath,
+    ) -> (f64, f64) {
+        let start = start.map_or(0.0, |moment| moment.0);
+        let end = end.map_or(f64::INFINITY, |moment| moment.0);
+        if end <= start {
+            self.findings.add(
+                &path.key("end"),
+                format!("`end` is {end} s and `start` is {start} s; expected `end` after `start`"),
+            );
+        }
+        (start, end)
+    }
+
+    fn schedule(&mut self, wall: &WallSpec, path: &KeyPath) -> Schedule {
+        let opens_at = wall.opens_at.map(|moment| moment.0);
+        let closes_at = wall.closes_at.map(|moment| moment.0);
+        if let Some(schedule) = &wall.schedule {
+            if opens_at.is_some() || closes_at.is_some() {
+                self.findings.add(
+                    &path.key("schedule"),
+                    "`schedule` stands in place of `opens_at` and `closes_at`; keep one way",
+                );
+            }
+            return self.changes(schedule, &path.key("schedule"));
+        }
+        match (opens_at, closes_at) {
+            (None, None) => Schedule::always(),
+            (Some(opens_at), None) => Schedule::opening_at(vec![opens_at]),
+            (None, Some(closes_at)) => Schedule::closing_at(vec![closes_at]),
+            (Some(opens_at), Some(closes_at)) if opens_at < closes_at => {
+                Schedule::opening_at(vec![opens_at, closes_at])
+            }
+            (Some(opens_at), Some(closes_at)) => {
+                if opens_at == closes_at {
+                    self.findings.add(
+                        &path.key("closes_at"),
+                        format!("the gate opens and closes at {opens_at} s; move one of the two"),
+                    );
+                }
+                Schedule::closing_at(vec![closes_at, opens_at])
+            }
+        }
+    }
+
+    fn changes(&mut self, spec: &ScheduleSpec, path: &KeyPath) -> Schedule {
+        let changes: Vec<f64> = spec.changes.iter().map(|moment| moment.0).collect();
+        for (index, pair) in changes.windows(2).enumerate() {
+            if pair[1] <= pair[0] {
+                self.findings.add(
+                    &path.key("changes").index(index + 1),
+                    format!(
+                        "{} s does not come after {} s; let the moments rise",
+                        pair[1], pair[0]
+                    ),
+                );
+            }
+        }
+        match spec.at_first {
+            GateState::Closed => Schedule::opening_at(changes),
+            GateState::Open => Schedule::closing_at(changes),
+        }
+    }
+}

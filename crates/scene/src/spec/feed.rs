@@ -1,0 +1,49 @@
+//! `[fill.NAME]`, `[inlets.NAME]` and `[outlets.NAME]`.
+
+use super::shape::ShapeSpec;
+use crate::quantity::{FeedRate, Mass, Moment, Velocity};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// Pellets there at the start, without overlap; give `count` or `mass`.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct FillSpec {
+    /// Name of the kind of pellets.
+    pub(crate) pellets: String,
+    /// Where the pellets are put; each lies wholly inside.
+    pub(crate) region: ShapeSpec,
+    /// How many [-].
+    #[schemars(extend("minimum" = 1))]
+    pub(crate) count: Option<usize>,
+    /// At least this mass, to the next whole pellet [kg].
+    pub(crate) mass: Option<Mass>,
+    /// Velocity at the start [m/s]; at rest where none is given.
+    pub(crate) velocity: Option<[Velocity; 3]>,
+}
+
+/// A feeder: pellets appear at a rate, at random places of a region.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct InletSpec {
+    /// Name of the kind of pellets.
+    pub(crate) pellets: String,
+    /// Where pellets appear; each lies wholly inside.
+    pub(crate) region: ShapeSpec,
+    /// How fast they come: "250 t/h" or "200 1/s"; a plain number is kg/s.
+    pub(crate) rate: FeedRate,
+    /// Velocity as they appear [m/s]; at rest where none is given.
+    pub(crate) velocity: Option<[Velocity; 3]>,
+    /// First moment of feeding [s]; 0 where none is given.
+    pub(crate) start: Option<Moment>,
+    /// Last moment of feeding [s]; never where none is given.
+    pub(crate) end: Option<Moment>,
+}
+
+/// Where pellets leave: one whose center is inside is discharged.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct OutletSpec {
+    /// The region.
+    pub(crate) region: ShapeSpec,
+}

@@ -1,0 +1,75 @@
+//! `[materials.NAME]`, `[pairs."A-B"]`, `[pellets.NAME]` and `[strength]`.
+
+use crate::quantity::{Density, Force, Modulus, Size};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// An isotropic elastic material; give one of the two moduli.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct MaterialSpec {
+    /// Mass per volume of the body itself, not of its bulk [kg/m³].
+    #[schemars(extend("exclusiveMinimum" = 0.0))]
+    pub(crate) density: Density,
+    /// Young's modulus [Pa].
+    pub(crate) youngs_modulus: Option<Modulus>,
+    /// Shear modulus [Pa].
+    pub(crate) shear_modulus: Option<Modulus>,
+    /// Poisson's ratio [-].
+    #[schemars(extend("exclusiveMinimum" = -1.0, "exclusiveMaximum" = 0.5))]
+    pub(crate) poisson_ratio: f64,
+}
+
+/// What is measured on two materials together.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct PairSpec {
+    /// Rebound speed over approach speed of a normal impact [-].
+    #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 1.0))]
+    pub(crate) restitution: f64,
+    /// Coulomb's coefficient of sliding friction [-].
+    #[schemars(extend("minimum" = 0.0, "maximum" = 10.0))]
+    pub(crate) friction: f64,
+    /// Coefficient of rolling friction [-].
+    #[serde(default)]
+    #[schemars(extend("minimum" = 0.0, "maximum" = 10.0))]
+    pub(crate) rolling_friction: f64,
+}
+
+/// Pellets of one material and one distribution of sizes.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct PelletSpec {
+    /// Name of the material.
+    pub(crate) material: String,
+    /// Diameter of all [m], or `{ min, max }`: any between the two is as likely, by number.
+    pub(crate) diameter: DiameterSpec,
+}
+
+/// Diameter of all [m], or `{ min, max }`.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub(crate) enum DiameterSpec {
+    /// All alike [m].
+    Single(Size),
+    /// Any between two is as likely, by number.
+    Uniform(DiameterRange),
+}
+
+/// A range of diameters.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct DiameterRange {
+    /// Smallest diameter [m].
+    pub(crate) min: Size,
+    /// Largest diameter [m].
+    pub(crate) max: Size,
+}
+
+/// What a pellet withstands.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct StrengthSpec {
+    /// Normal force at which half of the pellets break [N].
+    pub(crate) load: Force,
+}

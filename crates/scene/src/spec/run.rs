@@ -1,0 +1,63 @@
+//! `[time]`, `[stop]`, `[output]`, `[limits]` and `[skip]`.
+
+use crate::quantity::{Duration, Moment, Share, Speed};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// How long and in what steps; give at most one of `step` and `peak_force_error`.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct TimeSpec {
+    /// Simulated time at which the run ends at the latest [s].
+    pub(crate) end: Duration,
+    /// A fixed time step [s].
+    pub(crate) step: Option<Duration>,
+    /// Error of the peak force of the fastest hit, from which the step is chosen [-]; 0.001 where none is given.
+    #[schemars(extend("maximum" = 0.2))]
+    pub(crate) peak_force_error: Option<Share>,
+}
+
+/// What ends the run before its time; any one is enough.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub(crate) struct StopSpec {
+    /// No pellet is inside any more, after this moment [s].
+    pub(crate) empty_after: Option<Moment>,
+    /// The bed has come to rest, after this moment [s].
+    pub(crate) settled_after: Option<Moment>,
+    /// Root mean square speed below which the bed counts as at rest [m/s]; 5 mm/s where none is given.
+    pub(crate) settled_speed: Option<Speed>,
+}
+
+/// What is recorded and how often.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub(crate) struct OutputSpec {
+    /// Time between recorded frames [s]; chosen from the length of the run where none is given.
+    pub(crate) frame_interval: Option<Duration>,
+    /// Time between recorded meter readings [s]; chosen from the length of the run where none is given.
+    pub(crate) meter_interval: Option<Duration>,
+    /// Number of pellets up to which they are recorded as spheres of true size [-]; 2000 where none is given.
+    pub(crate) spheres_up_to: Option<usize>,
+}
+
+/// When the run counts as failed.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub(crate) struct LimitsSpec {
+    /// Largest overlap over the smaller radius of a contact [-].
+    #[schemars(extend("maximum" = 1.0))]
+    pub(crate) overlap_ratio: Option<Share>,
+    /// Largest residual of the energy ledger over the energy that went through it [-].
+    pub(crate) energy_residual: Option<Share>,
+}
+
+/// Work that may be left out because it changes nothing; false forces it back in.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub(crate) struct SkipSpec {
+    /// No spin where no law acts on it; true where nothing is said.
+    pub(crate) rotation: Option<bool>,
+    /// No wall evaluated for a pellet that cannot reach it; true where nothing is said.
+    pub(crate) distant_walls: Option<bool>,
+}
