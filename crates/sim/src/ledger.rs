@@ -1,5 +1,6 @@
 //! The books of mass and energy, and what contacts have done.
 
+use crate::tally::ForceTally;
 use serde::{Deserialize, Serialize};
 
 /// A number of pellets and their mass.
@@ -68,4 +69,29 @@ pub struct ContactStatistics {
     pub fewest_steps: u64,
     /// Contacts evaluated so far, summed over steps [-].
     pub contact_steps: u64,
+}
+
+impl ContactStatistics {
+    /// Enters what the contacts did in one step, among a number of pellets.
+    pub(crate) fn enter(&mut self, step: &ForceTally, pellets: usize) {
+        self.open = step.open;
+        let ends = 2 * step.open - step.open_with_walls;
+        self.mean_coordination = ends as f64 / pellets.max(1) as f64;
+        self.max_force = step.max_force;
+        if let Some(deepest) = step.deepest {
+            self.max_overlap_ratio = self.max_overlap_ratio.max(deepest.ratio);
+        }
+        self.contact_steps += step.open;
+        if step.finished > 0 {
+            let total = self.mean_steps * self.finished as f64 + step.finished_steps;
+            self.finished += step.finished;
+            self.mean_steps = total / self.finished as f64;
+            let fewest = step.fewest_steps as u64;
+            self.fewest_steps = if self.fewest_steps == 0 {
+                fewest
+            } else {
+                self.fewest_steps.min(fewest)
+            };
+        }
+    }
 }

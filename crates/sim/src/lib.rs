@@ -3,27 +3,55 @@
 //! Data has three owners: [`Model`] (a step never changes it), [`State`] (all that a restart needs)
 //! and [`Workspace`] (scratch: deleting it changes no answer). [`Simulation`] holds the three together.
 
+pub mod books;
 pub mod error;
 pub mod ledger;
+pub mod meter;
 pub mod model;
 pub mod motion;
 pub mod pellet;
 pub mod plan;
 pub mod schedule;
+pub mod setup;
 pub mod simulation;
+pub mod skipped;
+pub mod state;
 pub mod time_step;
 pub mod wall;
+pub mod workspace;
+
+mod advance;
+mod chunk;
+mod exchange;
+mod fill;
+mod forces;
+mod hash;
+mod health;
+mod inlet;
+mod neighbors;
+mod pair_contacts;
+mod profile;
+mod random;
+mod step;
+mod tally;
+mod validate;
+mod wall_contacts;
 
 pub use error::{SetupError, StepError};
 pub use ledger::{ContactStatistics, EnergyLedger, MassLedger, PelletTally};
-pub use model::{
-    Domain, Fill, FillAmount, Inlet, Limits, Meter, Model, NamedMaterial, NeighborSearch, Outlet,
-    Rate, Setup, Skips,
-};
+pub use meter::MeterReading;
+pub use model::Model;
 pub use motion::Motion;
 pub use pellet::{PelletKind, PelletView, SizeDistribution};
 pub use plan::{RunPlan, StopCondition};
 pub use schedule::Schedule;
-pub use simulation::{MeterReading, Phase, Simulation, Skipped, WallView};
+pub use setup::{
+    Domain, Fill, FillAmount, Inlet, Limits, Meter, NamedMaterial, NeighborSearch, Outlet, Rate,
+    Seats, Setup, Skips,
+};
+pub use simulation::{Phase, Simulation, WallView};
+pub use skipped::Skipped;
+pub use state::State;
 pub use time_step::{StepRequest, TimeStep};
 pub use wall::Wall;
+pub use workspace::Workspace;

@@ -116,6 +116,20 @@ impl Motion {
         }
     }
 
+    /// Spin of the wall at a time [s]; in [rad/s].
+    pub fn spin(&self, time: f64) -> Vec3 {
+        match *self {
+            Self::Rotating {
+                axis,
+                rate,
+                start,
+                end,
+                ..
+            } if (start..end).contains(&time) => rate * axis.into_inner(),
+            _ => Vec3::zeros(),
+        }
+    }
+
     /// Greatest speed of any point within `reach` of the axis or origin [m/s].
     pub fn greatest_speed(&self, reach: f64) -> f64 {
         match *self {

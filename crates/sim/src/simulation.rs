@@ -1,15 +1,30 @@
 //! Model, state and workspace together.
 
+use crate::books::Books;
 use crate::error::{SetupError, StepError};
-use crate::ledger::{ContactStatistics, EnergyLedger, MassLedger};
+use crate::fill;
+use crate::hash;
+use crate::inlet;
+use crate::ledger::{ContactStatistics, EnergyLedger, MassLedger, PelletTally};
+use crate::meter::{self, MeterReading};
 use crate::model::Model;
 use crate::pellet::PelletView;
+use crate::profile::Stage;
+use crate::skipped::{self, Skipped};
+use crate::state::{State, vector};
+use crate::step::{prescribe_walls, step};
+use crate::workspace::Workspace;
 use pelletflow_core::Pose;
+use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 
 /// A run in memory.
 #[derive(Debug)]
 pub struct Simulation {
     model: Model,
+    state: State,
+    workspace: Workspace,
+    /// Threads; none where one is enough.
+    pool: Option<ThreadPool>,
 }
 
 /// A wall at one instant.
@@ -23,17 +38,6 @@ pub struct WallView {
     pub is_present: bool,
 }
 
-/// What a meter reads.
-#[derive(Debug, Clone, PartialEq)]
-pub struct MeterReading {
-    /// Name in the scene.
-    pub name: String,
-    /// What kind of meter it is, as in the scene: `mass-flow`, `wall-force`.
-    pub kind: &'static str,
-    /// Quantity with its unit in the name, such as `mass_flow_kg_per_s`, and its value.
-    pub values: Vec<(&'static str, f64)>,
-}
-
 /// Wall-clock time of one part of the step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Phase {
@@ -43,25 +47,36 @@ pub struct Phase {
     pub seconds: f64,
 }
 
-/// Work that was left out.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Skipped {
-    /// What was skipped.
-    pub what: &'static str,
-    /// Why it could be.
-    pub reason: String,
-    /// What it saved, in words with a number.
-    pub saved: String,
-}
-
 impl Simulation {
     /// Places the fills and readies the first step; `threads` of 0 means one per core [-].
     ///
     /// # Errors
-    /// Every fill that does not fit, with its key.
+    /// Every fill that does not fit, with its key; or threads that the system refuses.
     pub fn new(model: Model, threads: usize) -> Result<Self, Vec<SetupError>> {
-        let _ = threads;
-        Ok(Self { model })
+        let pool = start_threads(threads).map_err(|error| {
+            vec![SetupError::new(
+                "threads",
+                format!("{threads} threads cannot be started: {error}; ask for fewer"),
+            )]
+        })?;
+        let mut workspace = Workspace {
+            is_parallel: pool.is_some(),
+            ..Workspace::default()
+        };
+        prescribe_walls(&model, 0.0, &mut workspace.walls);
+        let mut state = State {
+            books: Books::new(&model),
+            ..State::default()
+        };
+        for pellet in fill::place(&model, &workspace.walls)? {
+            inlet::insert(&model, &mut state, &pellet);
+        }
+        Ok(Self {
+            model,
+            state,
+            workspace,
+            pool,
+        })
     }
 
     /// Advances by one time step.
@@ -69,7 +84,25 @@ impl Simulation {
     /// # Errors
     /// The physics failed; the run cannot go on.
     pub fn step(&mut self) -> Result<(), StepError> {
-        Ok(())
+        self.advance(1)
+    }
+
+    /// Advances by a number of time steps; several at once spare the threads a wake-up each [-].
+    ///
+    /// # Errors
+    /// The physics failed; the run cannot go on.
+    pub fn advance(&mut self, steps: u64) -> Result<(), StepError> {
+        let Self {
+            model,
+            state,
+            workspace,
+            pool,
+        } = self;
+        let mut run = || (0..steps).try_for_each(|_| step(model, state, workspace));
+        match pool {
+            Some(pool) => pool.install(run),
+            None => run(),
+        }
     }
 
     /// The model.
@@ -77,77 +110,146 @@ impl Simulation {
         &self.model
     }
 
+    /// The state.
+    pub fn state(&self) -> &State {
+        &self.state
+    }
+
     /// Simulated time [s].
     pub fn time(&self) -> f64 {
-        0.0
+        self.state.step as f64 * self.model.time_step().seconds
     }
 
     /// Steps taken [-].
     pub fn step_count(&self) -> u64 {
-        0
+        self.state.step
     }
 
     /// Threads at work [-].
     pub fn threads(&self) -> usize {
-        1
+        self.pool
+            .as_ref()
+            .map_or(1, ThreadPool::current_num_threads)
     }
 
     /// Pellets inside [-].
     pub fn pellet_count(&self) -> usize {
-        0
+        self.state.pellets.len()
     }
 
     /// Pellets inside, in storage order, which changes; sort by id where order matters.
     pub fn pellets(&self) -> impl ExactSizeIterator<Item = PelletView> + '_ {
-        std::iter::empty::<PelletView>()
-            .collect::<Vec<_>>()
-            .into_iter()
+        let pellets = &self.state.pellets;
+        // Before the first step, and for pellets that came since, there are no loads yet.
+        let loads = &self.workspace.loads;
+        (0..pellets.len()).map(move |index| PelletView {
+            id: pellets.id[index],
+            kind: usize::from(pellets.kind[index]),
+            radius: pellets.position[index][3],
+            mass: pellets.mass(index),
+            position: vector(&pellets.position[index]),
+            velocity: vector(&pellets.velocity[index]),
+            spin: vector(&pellets.spin[index]),
+            max_normal_force: loads.get(index).map_or(0.0, |load| load.force[3]),
+        })
     }
 
     /// Walls, in the order of the setup.
     pub fn walls(&self) -> impl ExactSizeIterator<Item = WallView> + '_ {
-        std::iter::empty::<WallView>()
-            .collect::<Vec<_>>()
-            .into_iter()
+        let time = self.time();
+        self.model
+            .setup()
+            .walls
+            .iter()
+            .enumerate()
+            .map(move |(index, wall)| {
+                let now = wall.at(time);
+                WallView {
+                    index,
+                    pose: now.pose,
+                    is_present: now.is_present,
+                }
+            })
     }
 
     /// Where every pellet went.
     pub fn mass_ledger(&self) -> MassLedger {
-        MassLedger::default()
+        let books = &self.state.books;
+        let discharged = books
+            .by_outlet
+            .iter()
+            .fold(PelletTally::default(), |sum, outlet| PelletTally {
+                count: sum.count + outlet.count,
+                mass: sum.mass + outlet.mass,
+            });
+        MassLedger {
+            inserted: books.inserted,
+            inside: books.inside,
+            discharged,
+            lost: books.lost,
+            by_inlet: books.by_inlet.clone(),
+            by_outlet: books.by_outlet.clone(),
+        }
     }
 
-    /// Where the energy went.
+    /// Where the energy went, at the start of the last step.
     pub fn energy_ledger(&self) -> EnergyLedger {
-        EnergyLedger::default()
+        let energy = &self.state.books.energy;
+        EnergyLedger {
+            kinetic: energy.kinetic,
+            potential: energy.potential,
+            elastic: energy.stored(),
+            dissipated: energy.dissipated(),
+            carried_in: energy.carried_in,
+            wall_work: energy.wall_work,
+            residual: energy.residual(),
+            throughput: energy.throughput(),
+        }
     }
 
     /// What contacts have done.
     pub fn contact_statistics(&self) -> ContactStatistics {
-        ContactStatistics::default()
+        self.state.books.contacts
     }
 
     /// What the meters read, in the order of the setup.
     pub fn meter_readings(&self) -> Vec<MeterReading> {
-        Vec::new()
+        meter::readings(&self.model, &self.state)
     }
 
     /// Wall-clock time of each part of the step so far.
     pub fn phases(&self) -> Vec<Phase> {
-        Vec::new()
+        let profile = &self.workspace.profile;
+        Stage::ALL
+            .iter()
+            .map(|&stage| Phase {
+                name: stage.name(),
+                seconds: profile.seconds(stage),
+            })
+            .collect()
     }
 
     /// Work that was left out so far.
     pub fn skipped(&self) -> Vec<Skipped> {
-        Vec::new()
+        skipped::list(&self.model, &self.state, &self.workspace)
     }
 
     /// Sum of pellets over all steps taken [-].
     pub fn particle_steps(&self) -> u64 {
-        0
+        self.state.books.particle_steps
     }
 
     /// Hash of the state in order of pellet number, as 32 hexadecimal digits: equal only for equal bits.
     pub fn state_hash(&self) -> String {
-        String::new()
+        hash::of(&self.state)
     }
+}
+
+/// A pool of a number of threads, 0 meaning one per core; none where that is one.
+fn start_threads(threads: usize) -> Result<Option<ThreadPool>, ThreadPoolBuildError> {
+    if threads == 1 {
+        return Ok(None);
+    }
+    let pool = ThreadPoolBuilder::new().num_threads(threads).build()?;
+    Ok((pool.current_num_threads() > 1).then_some(pool))
 }

@@ -1,5 +1,10 @@
 //! The time step: from the force error asked for and the fastest hit expected.
 
+use crate::error::SetupError;
+use crate::setup::Setup;
+use pelletflow_core::{Bounds, Vec3};
+use pelletflow_impact::ElasticImpact;
+
 /// How the step is to be chosen.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum StepRequest {
@@ -20,4 +25,172 @@ pub struct TimeStep {
     pub expected_speed: f64,
     /// Shortest contact at that speed [s].
     pub shortest_contact: f64,
+}
+
+/// Error of an elastic impact times the square of the steps per contact [-]: velocity Verlet is of second order there,
+/// and contact time, the worst of peak force, contact time and rebound, errs by this (`tests/impact.rs` holds it).
+const IMPACT_ERROR_FACTOR: f64 = 0.57;
+/// Largest step over the Rayleigh time [-]: a bed has several contacts per pellet, each stiffening it.
+const RAYLEIGH_SHARE: f64 = 0.2;
+/// Largest forced step over the Rayleigh time [-].
+const FORCED_RAYLEIGH_SHARE: f64 = 0.4;
+/// Fewest steps per contact of a forced step [-].
+const FEWEST_FORCED_STEPS: f64 = 10.0;
+/// Speed of a hit expected where nothing moves or falls [m/s].
+const LEAST_SPEED: f64 = 0.1;
+
+/// Chooses the step of a setup that has no other mistakes.
+///
+/// # Errors
+/// A forced step too large for the hits expected.
+pub(crate) fn choose(setup: &Setup) -> Result<TimeStep, SetupError> {
+    let expected_speed = expected_speed(setup);
+    let shortest = shortest_contact(setup, expected_speed);
+    let rayleigh = rayleigh_time(setup);
+    let hit = format!(
+        "fastest hit expected {expected_speed:.2} m/s ({}), contact {:.1} µs",
+        shortest.bodies,
+        1.0e6 * shortest.time
+    );
+    let (seconds, reason) = match setup.step {
+        StepRequest::PeakForceError(error) => {
+            let steps = (IMPACT_ERROR_FACTOR / error).sqrt();
+            let by_force = shortest.time / steps;
+            let by_wave = RAYLEIGH_SHARE * rayleigh;
+            let share = 100.0 * error;
+            if by_force <= by_wave {
+                (
+                    by_force,
+                    format!("peak force within {share} %: {steps:.1} steps per contact; {hit}"),
+                )
+            } else {
+                let reason = format!(
+                    "{RAYLEIGH_SHARE} of the Rayleigh time {:.1} µs, less than a peak force within {share} % needs; {hit}",
+                    1.0e6 * rayleigh
+                );
+                (by_wave, reason)
+            }
+        }
+        StepRequest::Fixed(step) => {
+            let largest =
+                (shortest.time / FEWEST_FORCED_STEPS).min(FORCED_RAYLEIGH_SHARE * rayleigh);
+            if step > largest {
+                return Err(SetupError::new(
+                    "time.step",
+                    format!(
+                        "is {step:.3e} s; expected at most {largest:.3e} s: {FEWEST_FORCED_STEPS} steps per contact and {FORCED_RAYLEIGH_SHARE} \
+                         of the Rayleigh time; {hit}; leave `step` out to have it chosen"
+                    ),
+                ));
+            }
+            (
+                step,
+                format!(
+                    "as asked; {:.1} steps per contact; {hit}",
+                    shortest.time / step
+                ),
+            )
+        }
+    };
+    Ok(TimeStep {
+        seconds,
+        reason,
+        expected_speed,
+        shortest_contact: shortest.time,
+    })
+}
+
+struct ShortestContact {
+    time: f64,
+    bodies: String,
+}
+
+fn shortest_contact(setup: &Setup, speed: f64) -> ShortestContact {
+    let mut shortest = ShortestContact {
+        time: f64::INFINITY,
+        bodies: String::new(),
+    };
+    let mut enter = |impact: &ElasticImpact, bodies: String| {
+        let time = impact.contact_time();
+        if time < shortest.time {
+            shortest = ShortestContact { time, bodies };
+        }
+    };
+    for (a, kind) in setup.pellets.iter().enumerate() {
+        let radius = kind.size.min_diameter() / 2.0;
+        let mass = setup.mass(a, radius);
+        for wall in &setup.walls {
+            let pair = setup.pair(kind.material, wall.material);
+            let impact = ElasticImpact::on_plane(&pair, radius, mass, speed);
+            enter(
+                &impact,
+                format!("pellet `{}` on wall `{}`", kind.name, wall.name),
+            );
+        }
+        for (b, other) in setup.pellets.iter().enumerate() {
+            let other_radius = other.size.min_diameter() / 2.0;
+            let impact = ElasticImpact {
+                effective_youngs_modulus: setup
+                    .pair(kind.material, other.material)
+                    .effective_youngs_modulus,
+                effective_radius: radius * other_radius / (radius + other_radius),
+                effective_mass: 1.0 / (1.0 / mass + 1.0 / setup.mass(b, other_radius)),
+                speed,
+            };
+            enter(
+                &impact,
+                format!("pellet `{}` on pellet `{}`", kind.name, other.name),
+            );
+        }
+    }
+    shortest
+}
+
+fn rayleigh_time(setup: &Setup) -> f64 {
+    setup
+        .pellets
+        .iter()
+        .map(|kind| {
+            setup.materials[kind.material]
+                .material
+                .rayleigh_time(kind.size.min_diameter() / 2.0)
+        })
+        .fold(f64::INFINITY, f64::min)
+}
+
+/// Speed of a pellet that falls freely from the highest source to the bottom of the domain, plus that of the
+/// fastest wall or belt it may meet there [m/s].
+fn expected_speed(setup: &Setup) -> f64 {
+    let gravity = setup.gravity.norm();
+    let bottom = reach(&setup.domain.bounds, setup.gravity);
+    let source_speed = |bounds: Bounds, velocity: Vec3| {
+        let fall = (bottom + reach(&bounds, -setup.gravity)).max(0.0);
+        (velocity.norm_squared() + 2.0 * gravity * fall).sqrt()
+    };
+    let fills = setup
+        .fills
+        .iter()
+        .map(|fill| source_speed(fill.bounds(), fill.velocity));
+    let inlets = setup
+        .inlets
+        .iter()
+        .map(|inlet| source_speed(inlet.region.bounds(), inlet.velocity));
+    let walls = setup
+        .walls
+        .iter()
+        .map(|wall| setup.wall_speed(wall) + wall.surface_velocity.norm());
+    let of_pellets = fills.chain(inlets).fold(0.0, f64::max);
+    (of_pellets + walls.fold(0.0, f64::max)).max(LEAST_SPEED)
+}
+
+/// How far a box reaches along a direction, from the origin [m].
+fn reach(bounds: &Bounds, direction: Vec3) -> f64 {
+    let length = direction.norm();
+    if length == 0.0 {
+        return 0.0;
+    }
+    (0..3)
+        .map(|axis| (bounds.min[axis] * direction[axis]).max(bounds.max[axis] * direction[axis]))
+        .sum::<f64>()
+        / length
 }

@@ -2,7 +2,7 @@
 
 use crate::motion::Motion;
 use crate::schedule::Schedule;
-use pelletflow_core::{Shape, Vec3};
+use pelletflow_core::{Bounds, Pose, Shape, Vec3};
 use serde::{Deserialize, Serialize};
 
 /// A piece of equipment.
@@ -20,4 +20,40 @@ pub struct Wall {
     pub surface_velocity: Vec3,
     /// When it is there.
     pub schedule: Schedule,
+}
+
+/// Where a wall is in one step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct WallNow {
+    pub(crate) pose: Pose,
+    pub(crate) is_present: bool,
+}
+
+impl Wall {
+    /// Where the wall is at a time [s].
+    pub(crate) fn at(&self, time: f64) -> WallNow {
+        WallNow {
+            pose: self.motion.pose(time),
+            is_present: self.schedule.is_present(time),
+        }
+    }
+
+    /// The wall's box in the world, at a pose.
+    pub(crate) fn bounds(&self, pose: &Pose) -> Bounds {
+        let bounds = self.shape.bounds();
+        if !self.motion.is_moving() {
+            return bounds;
+        }
+        let turned = bounds.rotated(&pose.rotation);
+        Bounds {
+            min: turned.min + pose.translation,
+            max: turned.max + pose.translation,
+        }
+    }
+
+    /// Velocity of the wall's surface at a point [m] with a normal [-], belt included [m/s].
+    pub(crate) fn surface_velocity_at(&self, point: Vec3, normal: Vec3, time: f64) -> Vec3 {
+        let along_surface = self.surface_velocity - self.surface_velocity.dot(&normal) * normal;
+        self.motion.velocity(point, time) + along_surface
+    }
 }

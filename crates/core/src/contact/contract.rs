@@ -182,7 +182,7 @@ fn the_tangential_history_turns_with_the_contact() {
 }
 
 #[test]
-fn dissipation_is_never_negative() {
+fn normal_damping_and_rolling_never_give_energy_back() {
     for laws in registry() {
         for step in 0..400 {
             let phase = f64::from(step) * 0.37;

@@ -41,6 +41,45 @@ pub fn force(contact: &Contact, pair: &MaterialPair, approach_speed: f64) -> Nor
     }
 }
 
+/// Greatest normal force of the smooth motion near this sample of it [N].
+///
+/// Samples of a smooth peak fall short of it by up to 0.4 % at 22 steps per contact. Two time derivatives of the
+/// force follow from the law and from `m* δ̈ = −F`, and give the top of the parabola through the sample. Velocity
+/// Verlet, in turn, conserves `V − F² Δt² / (24 m*)` at a turning point in place of `V` (Hairer, Lubich & Wanner 2006,
+/// section IX.3), so its own peak lies too high by the share `F′ Δt² / (24 m*)`, taken off here.
+pub fn peak_force_near(
+    contact: &Contact,
+    pair: &MaterialPair,
+    normal_force: f64,
+    time_step: f64,
+) -> f64 {
+    let speed = -contact.relative_velocity.dot(&contact.normal);
+    let NormalForce {
+        damping,
+        contact_radius,
+        ..
+    } = force(contact, pair, speed);
+    let elastic = 4.0 / 3.0 * pair.effective_youngs_modulus * contact_radius * contact.overlap;
+    let viscous = damping * speed;
+    let per_overlap = 1.0 / contact.overlap;
+    let by_overlap = (1.5 * elastic + 0.25 * viscous) * per_overlap;
+    let by_overlap_twice = (0.75 * elastic - 0.1875 * viscous) * per_overlap * per_overlap;
+    let by_both = 0.25 * damping * per_overlap;
+    let acceleration = -normal_force / contact.effective_mass;
+    let rate = by_overlap * speed + damping * acceleration;
+    let bend = by_overlap_twice * speed * speed
+        + 2.0 * by_both * speed * acceleration
+        + by_overlap * acceleration
+        - damping * rate / contact.effective_mass;
+    // A top farther away than half a step belongs to another sample, with some grace for the error of the parabola.
+    let is_near = bend < 0.0 && rate.abs() <= -0.6 * time_step * bend;
+    if !is_near {
+        return normal_force;
+    }
+    let overshoot = by_overlap * time_step * time_step / (24.0 * contact.effective_mass);
+    (normal_force - rate * rate / (2.0 * bend)) * (1.0 - overshoot)
+}
+
 /// Restitution of a Hertz contact of damping ratio β whose force is clamped at zero [-].
 ///
 /// `exp(−β/w · atan2(2 β w, 2 β² − 1))`, `w = √(1 − β²)`, below critical damping; its continuation beyond.

@@ -13,8 +13,8 @@ pub struct TangentialForce {
     pub force: Vec3,
     /// Energy stored in the spring [J].
     pub elastic_energy: f64,
-    /// Rate at which sliding and damping turn motion into heat [W].
-    pub dissipation: f64,
+    /// Rate at which the motion works on spring, damper and slider together [W].
+    pub power: f64,
 }
 
 /// Tangential force of a contact whose surfaces slide at `sliding` [m/s].
@@ -39,18 +39,15 @@ pub fn force(
     let mut force = -stiffness * displacement - damping * sliding;
     let cap = pair.friction * normal.force;
     let squared = force.norm_squared();
-    let mut slip_power = 0.0;
     if squared > cap * cap {
         force *= cap / squared.sqrt();
-        let stuck = displacement;
         displacement = -(force + damping * sliding) / stiffness;
-        slip_power = -force.dot(&(stuck - displacement)) / time_step;
     }
     history.tangential_displacement = displacement + half_growth;
     TangentialForce {
         force,
         elastic_energy: 0.5 * stiffness * displacement.norm_squared(),
-        dissipation: slip_power + damping * sliding.norm_squared(),
+        power: -force.dot(&sliding),
     }
 }
 

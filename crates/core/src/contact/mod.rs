@@ -43,10 +43,17 @@ pub struct ContactForce {
     pub force: Vec3,
     /// Rolling torque on A, beside the moment of the force; B receives the negative [N·m].
     pub rolling_torque: Vec3,
-    /// Energy stored in the springs [J].
+    /// Energy stored in the normal spring [J].
     pub elastic_energy: f64,
-    /// Rate at which the contact turns motion into heat [W].
+    /// Rate at which normal damping and rolling resistance turn motion into heat [W].
     pub dissipation: f64,
+    /// Energy stored in the tangential spring [J].
+    pub sliding_energy: f64,
+    /// Rate at which sliding works on the tangential spring, damper and slider together [W].
+    ///
+    /// The spring stiffens with the overlap, so what it turns into heat is known over time only: this work less the
+    /// energy stored.
+    pub sliding_power: f64,
 }
 
 /// How bodies push apart.
@@ -121,6 +128,8 @@ impl ContactLaws {
             rolling_torque: Vec3::zeros(),
             elastic_energy: normal.elastic_energy,
             dissipation: normal.dissipation,
+            sliding_energy: 0.0,
+            sliding_power: 0.0,
         };
         match self.tangential {
             TangentialLaw::None => {}
@@ -129,8 +138,8 @@ impl ContactLaws {
                 let tangential =
                     mindlin::force(contact, pair, &normal, sliding, history, time_step);
                 total.force += tangential.force;
-                total.elastic_energy += tangential.elastic_energy;
-                total.dissipation += tangential.dissipation;
+                total.sliding_energy = tangential.elastic_energy;
+                total.sliding_power = tangential.power;
             }
         }
         match self.rolling {

@@ -1,0 +1,123 @@
+//! All that a restart needs.
+
+use crate::books::Books;
+use pelletflow_core::Vec3;
+
+/// Three components and one companion, so that a pellet's share of an array is one half of a cache line.
+pub type Row = [f64; 4];
+
+/// The vector part of a row.
+#[inline]
+pub(crate) fn vector(row: &Row) -> Vec3 {
+    Vec3::new(row[0], row[1], row[2])
+}
+
+/// A row of a vector and its companion.
+#[inline]
+pub(crate) fn row(vector: Vec3, companion: f64) -> Row {
+    [vector.x, vector.y, vector.z, companion]
+}
+
+/// Everything that a step changes and that the next one needs.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct State {
+    /// Steps taken [-].
+    pub step: u64,
+    /// The pellets, in storage order.
+    pub pellets: Pellets,
+    /// What each listed contact remembers, chunk by chunk, aligned with the neighbor lists.
+    pub contacts: Vec<ChunkContacts>,
+    /// Positions at the last neighbor search, from which the lists follow [m].
+    pub searched_position: Vec<Row>,
+    /// Bound of how far any pellet has moved since then [m].
+    pub moved_since_search: f64,
+    /// Steps since then [-].
+    pub steps_since_search: u64,
+    /// Mass, energy and contacts so far.
+    pub books: Books,
+}
+
+/// Pellets as columns; one index is one pellet.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Pellets {
+    /// Permanent number [-].
+    pub id: Vec<u32>,
+    /// Index of the kind [-].
+    pub kind: Vec<u16>,
+    /// Center and radius: `x, y, z, R` [m].
+    pub position: Vec<Row>,
+    /// Velocity at the full step [m/s], and the inverse mass [1/kg].
+    pub velocity: Vec<Row>,
+    /// Spin at the full step [rad/s], and the inverse moment of inertia [1/(kg·m²)].
+    pub spin: Vec<Row>,
+    /// Velocity half a step earlier, which the leapfrog carries [m/s].
+    pub half_step_velocity: Vec<Row>,
+    /// Spin half a step earlier [rad/s].
+    pub half_step_spin: Vec<Row>,
+}
+
+/// What the contacts of one chunk remember: tangential displacement [m] and the steps since first touch [-].
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct ChunkContacts {
+    /// With other pellets.
+    pub pellet: Vec<Row>,
+    /// With walls.
+    pub wall: Vec<Row>,
+}
+
+/// A pellet about to be stored.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct NewPellet {
+    pub(crate) kind: usize,
+    pub(crate) radius: f64,
+    pub(crate) mass: f64,
+    pub(crate) position: Vec3,
+    pub(crate) velocity: Vec3,
+    pub(crate) spin: Vec3,
+}
+
+impl Pellets {
+    /// How many there are [-].
+    pub fn len(&self) -> usize {
+        self.id.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.id.is_empty()
+    }
+
+    /// Mass of one [kg].
+    pub fn mass(&self, index: usize) -> f64 {
+        1.0 / self.velocity[index][3]
+    }
+
+    /// Adds one; `half_kick` is the change of velocity in half a step of free flight [m/s].
+    pub(crate) fn push(&mut self, id: u32, new: &NewPellet, half_kick: Vec3) {
+        let inverse_mass = 1.0 / new.mass;
+        self.id.push(id);
+        self.kind.push(new.kind as u16);
+        self.position.push(row(new.position, new.radius));
+        self.velocity.push(row(new.velocity, inverse_mass));
+        self.spin
+            .push(row(new.spin, 2.5 * inverse_mass / new.radius.powi(2)));
+        self.half_step_velocity
+            .push(row(new.velocity - half_kick, 0.0));
+        self.half_step_spin.push(row(new.spin, 0.0));
+    }
+
+    /// Keeps the rows named, in that order.
+    pub(crate) fn select(&mut self, order: &[u32]) {
+        select(&mut self.id, order);
+        select(&mut self.kind, order);
+        select(&mut self.position, order);
+        select(&mut self.velocity, order);
+        select(&mut self.spin, order);
+        select(&mut self.half_step_velocity, order);
+        select(&mut self.half_step_spin, order);
+    }
+}
+
+fn select<T: Copy>(column: &mut Vec<T>, order: &[u32]) {
+    *column = order.iter().map(|&index| column[index as usize]).collect();
+}

@@ -1,0 +1,344 @@
+//! What makes a setup impossible: every mistake, each with its key.
+
+use crate::error::SetupError;
+use crate::inlet;
+use crate::setup::{FillAmount, Inlet, Meter, Rate, Seats, Setup};
+use crate::time_step::StepRequest;
+use pelletflow_core::Vec3;
+use std::collections::BTreeSet;
+
+/// Tonnes per hour in a kilogram per second.
+const TONNES_PER_HOUR: f64 = 3.6;
+
+/// Every mistake of a setup.
+pub(crate) fn mistakes(setup: &Setup) -> Vec<SetupError> {
+    let mut found = Mistakes(Vec::new());
+    found.contents(setup);
+    found.materials(setup);
+    found.pairs(setup);
+    found.pellets(setup);
+    found.walls(setup);
+    found.fills(setup);
+    for inlet in &setup.inlets {
+        found.inlet(setup, inlet);
+    }
+    found.rest(setup);
+    found.0
+}
+
+struct Mistakes(Vec<SetupError>);
+
+impl Mistakes {
+    fn add(&mut self, key: impl Into<String>, message: impl Into<String>) {
+        self.0.push(SetupError::new(key, message));
+    }
+
+    /// Adds a mistake unless `holds`; `bound` completes "is …; expected …".
+    fn expect(&mut self, holds: bool, key: String, value: f64, unit: &str, bound: &str) {
+        if !holds {
+            let unit = if unit.is_empty() {
+                String::new()
+            } else {
+                format!(" {unit}")
+            };
+            self.add(key, format!("is {value}{unit}; expected {bound}"));
+        }
+    }
+
+    fn contents(&mut self, setup: &Setup) {
+        if setup.pellets.is_empty() {
+            self.add(
+                "pellets",
+                "the scene has no pellets; add a table such as [pellets.ore]",
+            );
+        }
+        if setup.fills.is_empty() && setup.inlets.is_empty() {
+            self.add("scene", "nothing to simulate: the scene has neither a fill nor an inlet; add [fill.NAME] or [inlets.NAME]");
+        }
+        if !is_finite(setup.gravity) {
+            self.add(
+                "scene.gravity",
+                "is not finite; expected three numbers in m/s²",
+            );
+        }
+    }
+
+    fn materials(&mut self, setup: &Setup) {
+        for named in &setup.materials {
+            let key = |field: &str| format!("materials.{}.{field}", named.name);
+            let material = &named.material;
+            let is_positive = |value: f64| value.is_finite() && value > 0.0;
+            self.expect(
+                is_positive(material.density),
+                key("density"),
+                material.density,
+                "kg/m³",
+                "more than 0",
+            );
+            let modulus = material.youngs_modulus;
+            self.expect(
+                is_positive(modulus),
+                key("youngs_modulus"),
+                modulus,
+                "Pa",
+                "more than 0",
+            );
+            let poisson = material.poisson_ratio;
+            let is_possible = poisson > -1.0 && poisson < 0.5;
+            self.expect(
+                is_possible,
+                key("poisson_ratio"),
+                poisson,
+                "",
+                "more than -1 and less than 0.5",
+            );
+        }
+    }
+
+    fn pairs(&mut self, setup: &Setup) {
+        for ([a, b], properties) in &setup.pairs {
+            let names = [&setup.materials[*a].name, &setup.materials[*b].name];
+            let key = |field: &str| format!("pairs.{}-{}.{field}", names[0], names[1]);
+            let restitution = properties.restitution;
+            let is_possible = restitution > 0.0 && restitution <= 1.0;
+            self.expect(
+                is_possible,
+                key("restitution"),
+                restitution,
+                "",
+                "more than 0 and at most 1",
+            );
+            let is_coefficient = |value: f64| value.is_finite() && value >= 0.0;
+            self.expect(
+                is_coefficient(properties.friction),
+                key("friction"),
+                properties.friction,
+                "",
+                "0 or more",
+            );
+            let rolling = properties.rolling_friction;
+            self.expect(
+                is_coefficient(rolling),
+                key("rolling_friction"),
+                rolling,
+                "",
+                "0 or more",
+            );
+        }
+        let of_pellets: BTreeSet<usize> = setup.pellets.iter().map(|kind| kind.material).collect();
+        let of_walls: BTreeSet<usize> = setup.walls.iter().map(|wall| wall.material).collect();
+        let mut named = BTreeSet::new();
+        for &a in &of_pellets {
+            for &b in of_pellets.iter().chain(&of_walls) {
+                if setup.pair_properties(a, b).is_none() && named.insert([a.min(b), a.max(b)]) {
+                    let (a, b) = (&setup.materials[a].name, &setup.materials[b].name);
+                    self.add(
+                        "pairs",
+                        format!("the pair of `{a}` and `{b}` is missing; add [pairs.\"{a}-{b}\"] with restitution, friction and rolling_friction"),
+                    );
+                }
+            }
+        }
+    }
+
+    fn pellets(&mut self, setup: &Setup) {
+        for kind in &setup.pellets {
+            let key = format!("pellets.{}.diameter", kind.name);
+            let (least, greatest) = (kind.size.min_diameter(), kind.size.max_diameter());
+            self.expect(
+                least.is_finite() && least > 0.0,
+                key.clone(),
+                least,
+                "m",
+                "more than 0",
+            );
+            if least > greatest || !greatest.is_finite() {
+                self.add(key, format!("the smallest is {least} m and the largest {greatest} m; expected the smallest first"));
+            }
+        }
+    }
+
+    fn walls(&mut self, setup: &Setup) {
+        for wall in &setup.walls {
+            let key = |field: &str| format!("walls.{}.{field}", wall.name);
+            if let Err(error) = wall.shape.validate() {
+                self.add(key("shape"), error.to_string());
+            }
+            if !is_finite(wall.surface_velocity) {
+                self.add(
+                    key("surface_velocity"),
+                    "is not finite; expected three numbers in m/s",
+                );
+            }
+            if !wall.schedule.changes().is_sorted_by(|a, b| a < b) {
+                self.add(
+                    key("schedule"),
+                    "the moments do not rise; list them in order of time",
+                );
+            }
+        }
+    }
+
+    fn fills(&mut self, setup: &Setup) {
+        for fill in &setup.fills {
+            let key = |field: &str| format!("fill.{}.{field}", fill.name);
+            match &fill.seats {
+                Seats::Lattice { region, amount } => {
+                    if let Err(error) = region.validate() {
+                        self.add(key("region"), error.to_string());
+                    } else if !region.bounds().is_finite() {
+                        self.add(key("region"), "is not bounded on every side; expected a closed shape such as a box or a cylinder");
+                    }
+                    if let FillAmount::Mass(mass) = *amount {
+                        self.expect(
+                            mass.is_finite() && mass > 0.0,
+                            key("mass"),
+                            mass,
+                            "kg",
+                            "more than 0",
+                        );
+                    }
+                }
+                Seats::Points(points) => {
+                    if !points.iter().copied().all(is_finite) {
+                        self.add(
+                            key("at"),
+                            "holds a number that is not finite; expected centers in m",
+                        );
+                    }
+                }
+            }
+            if !(is_finite(fill.velocity) && is_finite(fill.spin)) {
+                self.add(
+                    key("velocity"),
+                    "or `spin` is not finite; expected three numbers in m/s and in rad/s",
+                );
+            }
+        }
+    }
+
+    fn inlet(&mut self, setup: &Setup, inlet: &Inlet) {
+        let key = |field: &str| format!("inlets.{}.{field}", inlet.name);
+        let (rate, unit) = match inlet.rate {
+            Rate::Mass(rate) => (rate, "kg/s"),
+            Rate::Count(rate) => (rate, "1/s"),
+        };
+        if !(rate.is_finite() && rate > 0.0) {
+            self.expect(false, key("rate"), rate, unit, "more than 0");
+            return;
+        }
+        if let Err(error) = inlet.region.validate() {
+            self.add(key("region"), error.to_string());
+            return;
+        }
+        if !inlet.region.bounds().is_finite() {
+            self.add(
+                key("region"),
+                "is not bounded on every side; expected a closed shape such as a box",
+            );
+            return;
+        }
+        if !(inlet.start >= 0.0 && inlet.end > inlet.start) {
+            let (start, end) = (inlet.start, inlet.end);
+            self.add(key("end"), format!("feeding runs from {start} s to {end} s; expected the start at 0 s or later and the end after it"));
+        }
+        let kind = &setup.pellets[inlet.pellets];
+        let largest = kind.size.max_diameter();
+        let size = inlet.region.bounds().max - inlet.region.bounds().min;
+        if size.min() < largest {
+            self.add(
+                key("region"),
+                format!(
+                    "is {:.4} m at its narrowest; expected at least one pellet, {largest} m",
+                    size.min()
+                ),
+            );
+            return;
+        }
+        let density = setup.materials[kind.material].material.density;
+        let capacity = inlet::capacity(inlet, setup.gravity, density);
+        let asked = match inlet.rate {
+            Rate::Mass(rate) => rate,
+            Rate::Count(rate) => rate * setup.mass(inlet.pellets, largest / 2.0),
+        };
+        if asked > capacity {
+            self.add(
+                key("rate"),
+                format!(
+                    "asks for {:.4} t/h ({asked:.4} kg/s), but pellets leave the region no faster than {:.4} t/h ({capacity:.4} kg/s); \
+                     widen the region, raise the velocity or lower the rate",
+                    asked * TONNES_PER_HOUR,
+                    capacity * TONNES_PER_HOUR
+                ),
+            );
+        }
+    }
+
+    fn rest(&mut self, setup: &Setup) {
+        for outlet in &setup.outlets {
+            if let Err(error) = outlet.region.validate() {
+                self.add(format!("outlets.{}.region", outlet.name), error.to_string());
+            }
+        }
+        for meter in &setup.meters {
+            let is_known = match *meter {
+                Meter::MassFlow { outlet, .. } => outlet < setup.outlets.len(),
+                Meter::WallForce { wall, .. } => wall < setup.walls.len(),
+            };
+            if !is_known {
+                self.add(
+                    format!("meters.{}", meter.name()),
+                    "names nothing that the scene has",
+                );
+            }
+        }
+        let bounds = &setup.domain.bounds;
+        if !bounds.is_finite() || (bounds.max - bounds.min).min() <= 0.0 {
+            self.add(
+                "domain",
+                "is not a box; expected finite corners, `min` below `max` on every axis",
+            );
+        }
+        let (step, key, unit) = match setup.step {
+            StepRequest::PeakForceError(error) => (error, "time.peak_force_error", ""),
+            StepRequest::Fixed(step) => (step, "time.step", "s"),
+        };
+        self.expect(
+            step.is_finite() && step > 0.0,
+            key.into(),
+            step,
+            unit,
+            "more than 0",
+        );
+        if let Some(skin) = setup.skin {
+            self.expect(
+                skin.is_finite() && skin > 0.0,
+                "contact.skin".into(),
+                skin,
+                "m",
+                "more than 0",
+            );
+        }
+        let limits = &setup.limits;
+        let ratio = limits.overlap_ratio;
+        self.expect(
+            ratio > 0.0 && ratio < 1.0,
+            "limits.overlap_ratio".into(),
+            ratio,
+            "",
+            "more than 0 and less than 1",
+        );
+        let residual = limits.energy_residual;
+        self.expect(
+            residual > 0.0,
+            "limits.energy_residual".into(),
+            residual,
+            "",
+            "more than 0",
+        );
+    }
+}
+
+fn is_finite(vector: Vec3) -> bool {
+    vector.iter().all(|value| value.is_finite())
+}
