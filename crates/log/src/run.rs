@@ -341,10 +341,16 @@ fn end_of(simulation: &Simulation, plan: &RunPlan) -> Option<Ended> {
 }
 
 /// Whether the mean speed of the pellets, root mean square by mass, is below a bound [m/s].
+///
+/// Spin does not count: nothing stops a pellet from turning on the spot.
 fn is_settled(simulation: &Simulation, speed: f64) -> bool {
-    let mass = simulation.mass_ledger().inside.mass;
-    let kinetic = simulation.energy_ledger().kinetic;
-    mass > 0.0 && 2.0 * kinetic < mass * speed * speed
+    let (mass, squares) = simulation
+        .pellets()
+        .fold((0.0, 0.0), |(mass, squares), pellet| {
+            let square = pellet.mass * pellet.velocity.norm_squared();
+            (mass + pellet.mass, squares + square)
+        });
+    mass > 0.0 && squares < mass * speed * speed
 }
 
 fn reason_of(ended: Ended) -> &'static str {
