@@ -86,11 +86,7 @@ fn python_mistake<'py>(py: Python<'py>, mistake: &Mistake) -> PyResult<Bound<'py
 }
 
 /// An exception of `pelletflow.errors`, or what went wrong in making it.
-fn raised<'py>(
-    py: Python<'py>,
-    name: &str,
-    arguments: impl pyo3::call::PyCallArgs<'py>,
-) -> PyErr {
+fn raised<'py>(py: Python<'py>, name: &str, arguments: impl pyo3::call::PyCallArgs<'py>) -> PyErr {
     let made = py
         .import("pelletflow.errors")
         .and_then(|errors| errors.getattr(name))

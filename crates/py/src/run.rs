@@ -37,15 +37,17 @@ pub(crate) fn run<'py>(
     // What stopped the run from Python's side: Ctrl-C, or an exception of the observer.
     let mut stopped = None;
     let outcome = py.detach(|| {
-        pelletflow_log::run(&mut simulation, &request, &mut |progress| {
-            match Python::attach(|py| look(py, observer.as_ref(), progress)) {
+        pelletflow_log::run(
+            &mut simulation,
+            &request,
+            &mut |progress| match Python::attach(|py| look(py, observer.as_ref(), progress)) {
                 Ok(()) => ControlFlow::Continue(()),
                 Err(error) => {
                     stopped = Some(error);
                     ControlFlow::Break(())
                 }
-            }
-        })
+            },
+        )
     });
     let summary = outcome.map_err(|error| errors::from_run(py, &error))?;
     match stopped {

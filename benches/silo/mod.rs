@@ -1,9 +1,5 @@
-//! The settled silo of the peer comparison: one step of a dense bed at rest.
-//!
-//! A cylinder of radius 150 mm over a 60° cone with an outlet of radius 60 mm, closed; 15 mm pellets settled by
-//! 20,000 steps. Reports particle-steps per second on one and two threads.
+//! The silo of the peer comparison: a cylinder over a 60° cone with an outlet of radius 60 mm, closed by a floor.
 
-use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use pelletflow::core::contact::RollingLaw;
 use pelletflow::core::{
     Bounds, ContactLaws, Material, PairProperties, Profile, Shape, UnitVector3, Vec3,
@@ -13,10 +9,12 @@ use pelletflow::sim::{
     Schedule, Seats, Setup, Simulation, SizeDistribution, Skips, StepRequest, Wall,
 };
 
-const DIAMETER: f64 = 0.015;
-const OUTLET_RADIUS: f64 = 0.06;
-/// Steps advanced at a time: enough to hold a fair share of neighbor searches.
-const STEPS: u64 = 100;
+/// Diameter of the pellets [m].
+pub(crate) const DIAMETER: f64 = 0.015;
+/// Radius of the outlet [m].
+pub(crate) const OUTLET_RADIUS: f64 = 0.06;
+/// Time step, a tenth of the Rayleigh time [s].
+pub(crate) const TIME_STEP: f64 = 2.0e-5;
 
 fn wall(name: &str, shape: Shape) -> Wall {
     Wall {
@@ -30,8 +28,8 @@ fn wall(name: &str, shape: Shape) -> Wall {
 }
 
 /// The silo, filled with a number of pellets on a lattice, its radius in [m].
-fn silo(pellets: usize, radius: f64) -> Setup {
-    let cone_height = (radius - OUTLET_RADIUS) * 3.0_f64.sqrt();
+pub(crate) fn silo(pellets: usize, radius: f64) -> Setup {
+    let cone_height = cone_height(radius);
     let top = cone_height + 4.0;
     let hopper = Profile::Closed {
         corners: vec![
@@ -101,7 +99,7 @@ fn silo(pellets: usize, radius: f64) -> Setup {
                 max: Vec3::new(0.5, 0.5, top),
             },
         },
-        step: StepRequest::Fixed(2.0e-5),
+        step: StepRequest::Fixed(TIME_STEP),
         search: NeighborSearch::Auto,
         skin: Some(0.1 * DIAMETER),
         limits: Limits::default(),
@@ -109,26 +107,28 @@ fn silo(pellets: usize, radius: f64) -> Setup {
     }
 }
 
-/// The silo settled, on a number of threads.
-fn settled(pellets: usize, radius: f64, threads: usize) -> Simulation {
-    let model = Model::new(silo(pellets, radius)).expect("the silo is sound");
-    let mut simulation = Simulation::new(model, threads).expect("the bed fits");
+/// Height of the 60° cone under a cylinder of a radius [m]; in [m].
+pub(crate) fn cone_height(radius: f64) -> f64 {
+    (radius - OUTLET_RADIUS) * 3.0_f64.sqrt()
+}
+
+/// Centers of the pellets after settling for 20,000 steps, in order of their numbers [m].
+pub(crate) fn settled_positions(pellets: usize, radius: f64) -> Vec<Vec3> {
+    let mut simulation = simulation(silo(pellets, radius), 0);
     simulation.advance(20_000).expect("the bed settles");
-    simulation
+    let mut all: Vec<_> = simulation.pellets().collect();
+    all.sort_by_key(|pellet| pellet.id);
+    all.iter().map(|pellet| pellet.position).collect()
 }
 
-fn settled_silo(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group("settled-silo");
-    group.sample_size(20);
-    for threads in [1, 2] {
-        let mut simulation = settled(10_000, 0.15, threads);
-        group.throughput(Throughput::Elements(10_000 * STEPS));
-        group.bench_function(format!("10k/{threads}-threads"), |bencher| {
-            bencher.iter(|| simulation.advance(STEPS).expect("the bed rests"));
-        });
-    }
-    group.finish();
+/// The silo with pellets at rest at these places [m], on a number of threads.
+pub(crate) fn from_positions(positions: &[Vec3], radius: f64, threads: usize) -> Simulation {
+    let mut setup = silo(1, radius);
+    setup.fills[0].seats = Seats::Points(positions.to_vec());
+    simulation(setup, threads)
 }
 
-criterion_group!(benches, settled_silo);
-criterion_main!(benches);
+fn simulation(setup: Setup, threads: usize) -> Simulation {
+    let model = Model::new(setup).expect("the silo is sound");
+    Simulation::new(model, threads).expect("the bed fits")
+}
