@@ -1,1 +1,28 @@
-//! Placeholder.
+//! Recordings and summaries out, and recordings read back.
+//!
+//! [`run()`] drives a simulation and writes a directory: `run.mcap` opens in Lichtblick, Foxglove and Rerun,
+//! `summary.json` holds the run in numbers. [`inspect()`] and [`read_frames`] read a recording back,
+//! even one that was cut off.
+
+mod course;
+mod error;
+mod frames;
+mod inspect;
+mod layout;
+mod message;
+mod output;
+mod recording;
+mod records;
+mod run;
+mod summary;
+pub mod surface;
+
+pub use error::{ReadError, RunError};
+pub use frames::{FrameRecord, Frames, PelletRecord, read_attachment, read_frames};
+pub use inspect::{AttachmentInspection, ChannelInspection, Inspection, inspect};
+pub use run::{Progress, RunRequest, run};
+pub use summary::{
+    BodySummary, ContactSummary, Ended, EnergySummary, MassSummary, MeterSummary,
+    PerformanceSummary, SkippedSummary, Summary, TallySummary, TimeSummary,
+};
+pub use surface::Mesh;

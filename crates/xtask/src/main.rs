@@ -1,2 +1,48 @@
-//! Developer commands.
-fn main() {}
+//! Developer commands, run as `cargo xtask <command>`.
+#![expect(
+    clippy::print_stdout,
+    clippy::print_stderr,
+    reason = "a command line reports by printing"
+)]
+
+mod check;
+mod dependencies;
+mod process;
+mod report;
+mod test;
+mod venv;
+mod workspace;
+
+use clap::Parser;
+use process::Failed;
+use report::Report;
+use std::process::ExitCode;
+
+/// Developer commands of pelletflow.
+#[derive(Debug, Parser)]
+#[command(name = "cargo xtask", bin_name = "cargo xtask")]
+enum Command {
+    /// Sets up and runs every test: Rust, the Python wheel, and a recording; needs only Rust and Python 3.
+    Test,
+    /// Runs the whole gate: format, spelling, dependencies, lints, documentation, every test, Python types.
+    Check,
+}
+
+fn main() -> ExitCode {
+    let mut report = Report::new();
+    let outcome = match Command::parse() {
+        Command::Test => test::run(&mut report),
+        Command::Check => check::run(&mut report),
+    };
+    report.print();
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("\nfailed: {error:#}");
+            let code = error
+                .downcast_ref::<Failed>()
+                .map_or(1, |failed| failed.code);
+            ExitCode::from(code)
+        }
+    }
+}

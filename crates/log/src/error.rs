@@ -1,0 +1,84 @@
+//! What can go wrong while a run is recorded and while a recording is read.
+
+use crate::summary::Summary;
+use pelletflow_sim::StepError;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// A run that did not end well.
+#[derive(Debug, thiserror::Error)]
+pub enum RunError {
+    /// The physics failed; recording and summary are written up to the last good step.
+    #[error("{error}")]
+    Physics {
+        /// What failed.
+        error: StepError,
+        /// The run up to there.
+        summary: Box<Summary>,
+    },
+    /// A file could not be written.
+    #[error("cannot write {}: {source}; free some space there or choose another directory", path.display())]
+    Output {
+        /// Which file or directory.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+}
+
+impl RunError {
+    pub(crate) fn output(path: &Path, source: io::Error) -> Self {
+        Self::Output {
+            path: path.into(),
+            source,
+        }
+    }
+}
+
+/// A recording that cannot be read.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ReadError {
+    /// There is no such file.
+    #[error("{} does not exist; a run writes its recording to `DIR/run.mcap`", path.display())]
+    Missing {
+        /// The path asked for.
+        path: PathBuf,
+    },
+    /// It is a directory.
+    #[error("{} is a directory; name the recording in it, such as {}", path.display(), path.join("run.mcap").display())]
+    Directory {
+        /// The path asked for.
+        path: PathBuf,
+    },
+    /// It is a file of another kind.
+    #[error("{} is not an MCAP file: it does not begin as one; expected a recording such as `run.mcap`", path.display())]
+    NotMcap {
+        /// The path asked for.
+        path: PathBuf,
+    },
+    /// It is an MCAP file with an impossible content.
+    #[error("{} is damaged: {reason}; make the recording again", path.display())]
+    Damaged {
+        /// The path asked for.
+        path: PathBuf,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// It has no such attachment.
+    #[error("{} holds no attachment `{name}`; it was not written by a pelletflow run", path.display())]
+    NoAttachment {
+        /// The path asked for.
+        path: PathBuf,
+        /// The attachment asked for.
+        name: String,
+    },
+    /// The file system refused.
+    #[error("cannot read {}: {source}", path.display())]
+    Io {
+        /// The path asked for.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+}

@@ -1,0 +1,84 @@
+//! What messages promise, without a run.
+
+use super::{color, nanoseconds, pellets, series, spheres, timestamp};
+use foxglove::messages::PointCloud;
+use pelletflow_core::Vec3;
+use pelletflow_sim::PelletView;
+use prost::Message;
+
+fn pellet(id: u32, speed: f64) -> PelletView {
+    PelletView {
+        id,
+        kind: 0,
+        radius: 0.0075,
+        mass: 0.0065,
+        position: Vec3::new(0.1 * f64::from(id), -2.5, 3.75),
+        velocity: Vec3::new(0.0, 0.6 * speed, 0.8 * speed),
+        spin: Vec3::zeros(),
+        max_normal_force: 12.5,
+    }
+}
+
+#[test]
+fn a_cloud_gives_back_what_went_in() {
+    let bytes = pellets::message(1.5, &[pellet(3, 1.0), pellet(9, 2.0)]).encode_to_vec();
+    let cloud = PointCloud::decode(bytes.as_slice()).expect("a cloud decodes");
+    let records = pellets::pellets(&cloud).expect("its fields are ours");
+    assert_eq!(records.len(), 2);
+    assert_eq!(records[1].id, 9);
+    assert_eq!(records[1].position, [0.9, -2.5, 3.75]);
+    assert_eq!(records[1].radius, 0.0075);
+    assert_eq!(records[1].speed, 2.0);
+    assert_eq!(records[1].force, 12.5);
+}
+
+#[test]
+fn a_cloud_without_a_field_names_it() {
+    let mut cloud = pellets::message(0.0, &[pellet(1, 1.0)]);
+    cloud.fields.retain(|field| field.name != "radius");
+    let reason = pellets::pellets(&cloud).expect_err("a field is missing");
+    assert!(reason.contains("`radius`"), "{reason}");
+}
+
+#[test]
+fn spheres_have_their_diameter_and_keep_one_entity() {
+    let first = spheres::message(0.0, &[pellet(1, 1.0)], 2.0);
+    let second = spheres::message(0.1, &[pellet(1, 1.0), pellet(2, 1.0)], 2.0);
+    assert_eq!(first.entities[0].id, second.entities[0].id);
+    assert_eq!(spheres::removal(0.2).deletions[0].id, first.entities[0].id);
+    let size = second.entities[0].spheres[1].size.expect("it has a size");
+    assert_eq!([size.x, size.y, size.z], [0.015; 3]);
+}
+
+#[test]
+fn the_color_scale_grows_lighter_all_the_way() {
+    let lightness = |share: f64| {
+        let color = color::on_scale(share);
+        0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b
+    };
+    for step in 0..100 {
+        let share = f64::from(step) / 100.0;
+        assert!(lightness(share + 0.01) > lightness(share), "{share}");
+    }
+    assert_eq!(color::on_scale(7.0), color::on_scale(1.0));
+    assert_eq!(color::on_scale(-1.0), color::on_scale(0.0));
+}
+
+#[test]
+fn the_schema_of_a_meter_follows_its_names() {
+    let schema = series::schema(
+        "mass-flow",
+        &[("mass_flow_kg_per_s", 0.0), ("mass_kg", 0.0)],
+    );
+    assert_eq!(schema.name, "pelletflow.MassFlow");
+    assert_eq!(schema.encoding, "protobuf");
+    let text = String::from_utf8_lossy(&schema.data);
+    assert!(text.contains("mass_flow_kg_per_s") && text.contains("mass_kg"));
+}
+
+#[test]
+fn time_is_kept_to_the_nanosecond() {
+    assert_eq!(nanoseconds(12.345_678_901), 12_345_678_901);
+    let stamp = timestamp(12.345_678_901);
+    assert_eq!((stamp.sec(), stamp.nsec()), (12, 345_678_901));
+}

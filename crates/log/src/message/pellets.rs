@@ -1,0 +1,89 @@
+//! `/pellets`: every pellet as a point with its radius, speed, force and number.
+
+use super::{WORLD, in_place, timestamp};
+use crate::frames::PelletRecord;
+use foxglove::messages::packed_element_field::NumericType;
+use foxglove::messages::{PackedElementField, PointCloud};
+use pelletflow_sim::PelletView;
+
+/// The fields of a point, in order; each has four bytes.
+const FIELDS: [(&str, NumericType); 7] = [
+    ("x", NumericType::Float32),
+    ("y", NumericType::Float32),
+    ("z", NumericType::Float32),
+    ("radius", NumericType::Float32),
+    ("speed", NumericType::Float32),
+    ("force", NumericType::Float32),
+    ("id", NumericType::Uint32),
+];
+const FIELD_BYTES: usize = 4;
+const POINT_BYTES: usize = FIELD_BYTES * FIELDS.len();
+
+/// All pellets at a time [s], in the order given.
+pub(crate) fn message(time: f64, pellets: &[PelletView]) -> PointCloud {
+    let mut data = Vec::with_capacity(pellets.len() * POINT_BYTES);
+    for pellet in pellets {
+        for value in [
+            pellet.position.x,
+            pellet.position.y,
+            pellet.position.z,
+            pellet.radius,
+            pellet.velocity.norm(),
+            pellet.max_normal_force,
+        ] {
+            data.extend_from_slice(&(value as f32).to_le_bytes());
+        }
+        data.extend_from_slice(&pellet.id.to_le_bytes());
+    }
+    PointCloud {
+        timestamp: Some(timestamp(time)),
+        frame_id: WORLD.into(),
+        pose: Some(in_place()),
+        point_stride: POINT_BYTES as u32,
+        fields: FIELDS
+            .iter()
+            .enumerate()
+            .map(|(index, (name, kind))| PackedElementField {
+                name: (*name).into(),
+                offset: (index * FIELD_BYTES) as u32,
+                r#type: *kind as i32,
+            })
+            .collect(),
+        data: data.into(),
+    }
+}
+
+/// The pellets of a message; what is missing in it.
+pub(crate) fn pellets(cloud: &PointCloud) -> Result<Vec<PelletRecord>, String> {
+    let stride = cloud.point_stride as usize;
+    let mut offsets = [0; FIELDS.len()];
+    for ((name, kind), offset) in FIELDS.iter().zip(&mut offsets) {
+        let field = cloud
+            .fields
+            .iter()
+            .find(|field| field.name == *name && field.r#type == *kind as i32)
+            .ok_or_else(|| format!("its points have no field `{name}` of four bytes"))?;
+        *offset = field.offset as usize;
+        if *offset + FIELD_BYTES > stride {
+            return Err(format!("field `{name}` lies outside its points"));
+        }
+    }
+    let word = |point: &[u8], field: usize| {
+        let offset = offsets[field];
+        [0, 1, 2, 3].map(|byte| point[offset + byte])
+    };
+    Ok(cloud
+        .data
+        .chunks_exact(stride)
+        .map(|point| {
+            let value = |field| f32::from_le_bytes(word(point, field));
+            PelletRecord {
+                position: [value(0), value(1), value(2)],
+                radius: value(3),
+                speed: value(4),
+                force: value(5),
+                id: u32::from_le_bytes(word(point, 6)),
+            }
+        })
+        .collect())
+}

@@ -1,0 +1,219 @@
+//! The recording: one MCAP file, its channels, and when they are written.
+
+mod channel;
+mod due;
+
+pub(crate) use due::Due;
+
+use crate::message::equipment::Equipment;
+use crate::message::event::{self, Gravity};
+use crate::message::{nanoseconds, pellets, series, spheres, transforms};
+use channel::{Channel, Foxglove, channel_for};
+use mcap::records::Metadata;
+use mcap::{Attachment, Compression, McapResult, WriteOptions, Writer};
+use pelletflow_core::Pose;
+use pelletflow_sim::{EnergyLedger, MassLedger, MeterReading, PelletView, Setup};
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::io::{Seek, Write};
+
+/// Bytes of messages before they are compressed and written [B].
+const CHUNK_BYTES: u64 = 4 * 1024 * 1024;
+/// Level of zstd [-]; higher ones cost more time than they save bytes.
+const COMPRESSION_LEVEL: u32 = 1;
+
+/// What a recording says of itself, in its first bytes.
+pub(crate) struct Title<'a> {
+    /// Name and text of the scene, attached.
+    pub(crate) scene_text: &'a str,
+    /// Layout of a viewer, attached.
+    pub(crate) layout: &'a str,
+    /// Facts of the run.
+    pub(crate) facts: BTreeMap<String, String>,
+}
+
+/// What is drawn in every frame.
+pub(crate) struct Frame<'a> {
+    /// Simulated time [s].
+    pub(crate) time: f64,
+    /// Pellets, sorted by their number.
+    pub(crate) pellets: &'a [PelletView],
+    /// Where each wall is, in the order of the setup.
+    pub(crate) poses: &'a [Pose],
+    pub(crate) mass: &'a MassLedger,
+    pub(crate) energy: &'a EnergyLedger,
+}
+
+/// A recording being written.
+pub(crate) struct Recording<W: Write + Seek> {
+    writer: Writer<W>,
+    equipment: Equipment,
+    wall_names: Vec<String>,
+    has_moving_walls: bool,
+    spheres_up_to: usize,
+    full_speed: f64,
+    has_spheres: bool,
+    pellets_channel: Channel,
+    spheres_channel: Channel,
+    equipment_channel: Channel,
+    transforms_channel: Channel,
+    log_channel: Channel,
+    mass_channel: Option<Channel>,
+    energy_channel: Option<Channel>,
+    meter_channels: BTreeMap<String, Channel>,
+}
+
+impl<W: Write + Seek> Recording<W> {
+    /// Starts the file with its metadata and attachments, so that even a killed run has them.
+    ///
+    /// Spheres are drawn for at most `spheres_up_to` pellets, and `full_speed` [m/s] has the last color.
+    pub(crate) fn start(
+        writer: W,
+        setup: &Setup,
+        title: &Title,
+        spheres_up_to: usize,
+        full_speed: f64,
+    ) -> McapResult<Self> {
+        let mut writer = WriteOptions::new()
+            .compression(Some(Compression::Zstd))
+            .compression_level(COMPRESSION_LEVEL)
+            // Threads did not help, and they are the simulation's.
+            .compression_threads(0)
+            .chunk_size(Some(CHUNK_BYTES))
+            .library(format!("pelletflow {}", env!("CARGO_PKG_VERSION")))
+            .create(writer)?;
+        writer.write_metadata(&Metadata {
+            name: "pelletflow.run".into(),
+            metadata: title.facts.clone(),
+        })?;
+        for (name, media_type, text) in [
+            ("scene.toml", "application/toml", title.scene_text),
+            ("layout.json", "application/json", title.layout),
+        ] {
+            writer.attach(&Attachment {
+                log_time: 0,
+                create_time: 0,
+                name: name.into(),
+                media_type: media_type.into(),
+                data: Cow::Borrowed(text.as_bytes()),
+            })?;
+        }
+        Ok(Self {
+            pellets_channel: channel_for(&mut writer, "/pellets", Foxglove::PointCloud)?,
+            spheres_channel: channel_for(&mut writer, "/pellets/spheres", Foxglove::SceneUpdate)?,
+            equipment_channel: channel_for(&mut writer, "/equipment", Foxglove::SceneUpdate)?,
+            transforms_channel: channel_for(&mut writer, "/tf", Foxglove::FrameTransforms)?,
+            log_channel: channel_for(&mut writer, "/log", Foxglove::Log)?,
+            mass_channel: None,
+            energy_channel: None,
+            meter_channels: BTreeMap::new(),
+            equipment: Equipment::of(setup),
+            wall_names: setup.walls.iter().map(|wall| wall.name.clone()).collect(),
+            has_moving_walls: setup.walls.iter().any(|wall| wall.motion.is_moving()),
+            spheres_up_to,
+            full_speed: if full_speed > 0.0 { full_speed } else { 1.0 },
+            has_spheres: false,
+            writer,
+        })
+    }
+
+    /// Writes where everything is.
+    pub(crate) fn frame(&mut self, frame: &Frame) -> McapResult<()> {
+        let time = nanoseconds(frame.time);
+        // Every viewer waits for the frames before it draws what is in them.
+        if self.has_moving_walls || self.transforms_channel.is_empty() {
+            let walls = self.wall_names.iter().map(String::as_str);
+            let poses = frame.poses.iter().copied();
+            let message = transforms::message(frame.time, walls.zip(poses));
+            self.transforms_channel
+                .write(&mut self.writer, time, &message)?;
+        }
+        let message = pellets::message(frame.time, frame.pellets);
+        self.pellets_channel
+            .write(&mut self.writer, time, &message)?;
+        let may_have_spheres = frame.pellets.len() <= self.spheres_up_to;
+        if may_have_spheres {
+            let message = spheres::message(frame.time, frame.pellets, self.full_speed);
+            self.spheres_channel
+                .write(&mut self.writer, time, &message)?;
+        } else if self.has_spheres {
+            let message = spheres::removal(frame.time);
+            self.spheres_channel
+                .write(&mut self.writer, time, &message)?;
+        }
+        self.has_spheres = may_have_spheres;
+        write_row(
+            &mut self.writer,
+            &mut self.mass_channel,
+            ("/ledger/mass", "mass-ledger"),
+            time,
+            &series::mass(frame.mass),
+        )?;
+        write_row(
+            &mut self.writer,
+            &mut self.energy_channel,
+            ("/ledger/energy", "energy-ledger"),
+            time,
+            &series::energy(frame.energy),
+        )
+    }
+
+    /// Writes which walls are there from a time on [s].
+    pub(crate) fn walls(&mut self, time: f64, is_present: &[bool]) -> McapResult<()> {
+        let message = self.equipment.message(time, is_present);
+        self.equipment_channel
+            .write(&mut self.writer, nanoseconds(time), &message)
+    }
+
+    /// Writes what the meters read at a time [s].
+    pub(crate) fn meters(&mut self, time: f64, readings: &[MeterReading]) -> McapResult<()> {
+        for reading in readings {
+            let mut channel = self.meter_channels.get(&reading.name).copied();
+            let topic = format!("/meters/{}", reading.name);
+            write_row(
+                &mut self.writer,
+                &mut channel,
+                (&topic, reading.kind),
+                nanoseconds(time),
+                series::meter(reading),
+            )?;
+            if let Some(channel) = channel {
+                self.meter_channels.insert(reading.name.clone(), channel);
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes what happened at a time [s].
+    pub(crate) fn event(&mut self, time: f64, gravity: Gravity, text: &str) -> McapResult<()> {
+        let message = event::message(time, gravity, text);
+        self.log_channel
+            .write(&mut self.writer, nanoseconds(time), &message)
+    }
+
+    /// Ends the chunk, so that a file cut off from now on is whole up to here.
+    pub(crate) fn flush(&mut self) -> McapResult<()> {
+        self.writer.flush()
+    }
+
+    /// Writes the index and the end mark.
+    pub(crate) fn finish(mut self) -> McapResult<W> {
+        self.writer.finish()?;
+        Ok(self.writer.into_inner())
+    }
+}
+
+/// Writes a message of our own, whose channel is made when the first one shows its fields.
+fn write_row<W: Write + Seek>(
+    writer: &mut Writer<W>,
+    channel: &mut Option<Channel>,
+    (topic, kind): (&str, &str),
+    time: u64,
+    row: &series::Row,
+) -> McapResult<()> {
+    let channel = match channel {
+        Some(channel) => channel,
+        None => channel.insert(Channel::open(writer, topic, &series::schema(kind, row))?),
+    };
+    channel.write_bytes(writer, time, &series::encode(row))
+}

@@ -1,0 +1,65 @@
+//! Triangles of shapes, for looking at; the physics never sees them.
+//!
+//! Primitives are swept or listed exactly, up to the chords of a circle.
+//! Combinations keep the triangles of their parts and cut them where the other part's distance is zero,
+//! so that a thin plate stays whole and an edge stays sharp at any size.
+
+mod cuboid;
+mod cut;
+mod mesh;
+mod plane;
+mod turned;
+
+pub use mesh::Mesh;
+
+use pelletflow_core::shape::Profile;
+use pelletflow_core::{Bounds, Shape};
+
+impl Mesh {
+    /// The surface of a shape; one without end is shown as far as `bounds` reach [m].
+    pub fn of(shape: &Shape, bounds: &Bounds) -> Self {
+        match shape {
+            Shape::HalfSpace { point, normal } => plane::mesh(*point, *normal, bounds),
+            Shape::Sphere { radius } => turned::mesh(&turned::half_circle(*radius)),
+            Shape::Cylinder {
+                radius,
+                half_length,
+            } => turned::mesh(&turned::frustum(*radius, *radius, *half_length)),
+            Shape::Cone {
+                lower_radius,
+                upper_radius,
+                half_length,
+            } => turned::mesh(&turned::frustum(*lower_radius, *upper_radius, *half_length)),
+            Shape::Cuboid { half_sides } => cuboid::mesh(&Bounds {
+                min: -half_sides,
+                max: *half_sides,
+            }),
+            Shape::Revolution { profile } => match profile {
+                Profile::Closed { corners } => turned::mesh(corners),
+                Profile::Plate { corners, thickness } => {
+                    turned::mesh(&turned::plate_outline(corners, *thickness))
+                }
+            },
+            Shape::Union { of } => of.iter().map(|part| Self::of(part, bounds)).collect(),
+            Shape::Intersection { of } => cut::intersection(of, &shape.bounds().common(bounds)),
+            Shape::Difference { of, minus } => {
+                cut::difference(of, minus, &shape.bounds().common(bounds))
+            }
+            Shape::Translated { by, of } => {
+                let bounds_of_part = Bounds {
+                    min: bounds.min - by,
+                    max: bounds.max - by,
+                };
+                Self::of(of, &bounds_of_part).mapped(|point| point + by)
+            }
+            Shape::Rotated { by, of } => {
+                Self::of(of, &bounds.rotated(&by.inverse())).mapped(|point| by * point)
+            }
+            // A shape that has no triangles of its own yet is shown by its box rather than not at all.
+            other => cuboid::mesh(&other.bounds().common(bounds)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod contract;

@@ -1,0 +1,120 @@
+//! Scenes from Python: a path or a dictionary, and values to set.
+
+use crate::errors;
+use pelletflow_scene::{Override, Scene};
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyMapping, PyString};
+use serde::Serialize;
+use serde_json::{Map, Number, Value};
+use std::path::PathBuf;
+
+/// Name of a scene that comes as a dictionary.
+const NAME_OF_DICTIONARY: &str = "scene";
+
+/// Reads and validates a scene given as a path or a dictionary.
+pub(crate) fn read(
+    scene: &Bound<'_, PyAny>,
+    set: Option<&Bound<'_, PyMapping>>,
+) -> PyResult<Scene> {
+    let py = scene.py();
+    let overrides = overrides(py, set)?;
+    let result = if let Ok(table) = scene.cast::<PyMapping>() {
+        let value = value_of(table.as_any(), "scene")?;
+        py.detach(|| Scene::from_value(&value, NAME_OF_DICTIONARY, &overrides))
+    } else {
+        let path: PathBuf = scene.extract()?;
+        py.detach(|| Scene::read(&path, &overrides))
+    };
+    result.map_err(|error| errors::from_scene(py, error))
+}
+
+/// A value of ours as Python's dictionaries, lists, numbers and texts.
+pub(crate) fn python_from<'py>(
+    py: Python<'py>,
+    value: &impl Serialize,
+) -> PyResult<Bound<'py, PyAny>> {
+    let text = serde_json::to_string(value).expect("our summaries and ledgers have text keys only");
+    py.import("json")?.call_method1("loads", (text,))
+}
+
+fn overrides(py: Python<'_>, set: Option<&Bound<'_, PyMapping>>) -> PyResult<Vec<Override>> {
+    let Some(set) = set else {
+        return Ok(Vec::new());
+    };
+    let mut overrides = Vec::new();
+    for item in set.items()? {
+        let (key, value): (String, Bound<'_, PyAny>) = item.extract()?;
+        let text = toml_text(&value_of(&value, &key)?);
+        let parsed: Result<Override, _> = format!("{key}={text}").parse();
+        overrides.push(parsed.map_err(|error| errors::from_override(py, &error))?);
+    }
+    Ok(overrides)
+}
+
+/// A Python value as the scene knows values; `key` says where it stands.
+fn value_of(value: &Bound<'_, PyAny>, key: &str) -> PyResult<Value> {
+    if value.is_none() {
+        return Ok(Value::Null);
+    }
+    if let Ok(text) = value.cast::<PyString>() {
+        return Ok(Value::String(text.extract()?));
+    }
+    if value.is_instance_of::<PyBool>() {
+        return Ok(Value::Bool(value.extract()?));
+    }
+    if let Ok(table) = value.cast::<PyMapping>() {
+        let mut map = Map::new();
+        for item in table.items()? {
+            let (name, value): (String, Bound<'_, PyAny>) = item.extract()?;
+            let value = value_of(&value, &format!("{key}.{name}"))?;
+            map.insert(name, value);
+        }
+        return Ok(Value::Object(map));
+    }
+    if let Some(number) = number_of(value) {
+        return Ok(Value::Number(number));
+    }
+    // Lists, tuples and arrays alike.
+    let Ok(items) = value.try_iter() else {
+        return Err(PyTypeError::new_err(format!(
+            "`{key}` is of type {}; expected a number, a text, a truth value, a list or a dictionary",
+            value.get_type().name()?
+        )));
+    };
+    items
+        .enumerate()
+        .map(|(index, item)| value_of(&item?, &format!("{key}[{index}]")))
+        .collect::<PyResult<Vec<_>>>()
+        .map(Value::Array)
+}
+
+/// Python's and NumPy's numbers; whole ones stay whole.
+fn number_of(value: &Bound<'_, PyAny>) -> Option<Number> {
+    if value.is_instance_of::<PyFloat>() {
+        return Number::from_f64(value.extract().ok()?);
+    }
+    if value.is_instance_of::<PyInt>() || value.hasattr("__index__").ok()? {
+        return value.extract::<i64>().ok().map(Number::from);
+    }
+    value.extract::<f64>().ok().and_then(Number::from_f64)
+}
+
+/// A value as TOML writes it.
+fn toml_text(value: &Value) -> String {
+    match value {
+        Value::Array(items) => {
+            let items: Vec<String> = items.iter().map(toml_text).collect();
+            format!("[{}]", items.join(", "))
+        }
+        Value::Object(table) => {
+            let rows: Vec<String> = table
+                .iter()
+                .map(|(key, value)| format!("{} = {}", Value::from(key.as_str()), toml_text(value)))
+                .collect();
+            format!("{{{}}}", rows.join(", "))
+        }
+        // The rest is written alike in JSON and TOML.
+        plain => plain.to_string(),
+    }
+}

@@ -1,0 +1,61 @@
+//! `cargo xtask check`: all that a change has to pass.
+
+use crate::report::Report;
+use crate::venv::Venv;
+use crate::workspace::{cargo, root};
+use crate::{dependencies, process, test};
+use anyhow::Result;
+use std::process::Command;
+
+/// Runs the whole gate, the quick parts first.
+pub(crate) fn run(report: &mut Report) -> Result<()> {
+    let passed = |command: &mut Command| process::run(command).map(|()| "passed".to_owned());
+    report.part("format", || {
+        passed(cargo().args(["fmt", "--all", "--check"]))
+    })?;
+    let venv = Venv::with(&["requirements-test.txt", "requirements-check.txt"])?;
+    report.part("spelling", || {
+        passed(venv.tool("typos").current_dir(root()))
+    })?;
+    report.part("Python format", || {
+        process::run(ruff(&venv).args(["format", "--check", "python"]))?;
+        passed(ruff(&venv).args(["check", "python"]))
+    })?;
+    report.part("dependencies", dependencies::check)?;
+    report.part("advisories", dependencies::check_advisories)?;
+    report.part("lints", || {
+        passed(cargo().args([
+            "clippy",
+            "--workspace",
+            "--all-targets",
+            "--",
+            "--deny",
+            "warnings",
+        ]))
+    })?;
+    report.part("documentation", || {
+        passed(
+            cargo()
+                .args(["doc", "--workspace", "--no-deps"])
+                .env("RUSTDOCFLAGS", "-D warnings"),
+        )
+    })?;
+    report.part("Rust tests", test::rust_tests)?;
+    test::wheel_and_recording(report, &venv)?;
+    report.part("Python types", || {
+        process::run(mypy(&venv).args(["--package", "pelletflow"]))?;
+        passed(venv.module("mypy.stubtest").args(["pelletflow"]))
+    })
+}
+
+fn ruff(venv: &Venv) -> Command {
+    let mut command = venv.tool("ruff");
+    command.current_dir(root());
+    command
+}
+
+fn mypy(venv: &Venv) -> Command {
+    let mut command = venv.module("mypy");
+    command.arg("--strict");
+    command
+}

@@ -1,0 +1,68 @@
+"""A whole run, from a scene to a recording and a summary."""
+
+import os
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from pelletflow import _pelletflow
+
+
+class Progress(NamedTuple):
+    """How far a run is."""
+
+    time: float
+    """Simulated time [s]."""
+    end_time: float
+    """Simulated time at which the run ends at the latest [s]."""
+    step: int
+    """Steps taken [-]."""
+    pellets: int
+    """Pellets inside [-]."""
+    max_force: float
+    """Greatest normal force so far [N]."""
+    discharged: int
+    """Pellets discharged so far [-]."""
+    lost: int
+    """Pellets lost so far [-]."""
+
+
+@dataclass(frozen=True)
+class RunResult:
+    """What a run leaves."""
+
+    summary: dict[str, Any]
+    """What ``summary.json`` holds; the unit of each value is in its name."""
+    output: Path
+    """The folder with ``run.mcap``, ``summary.json``, ``scene.toml`` and ``layout.json``."""
+
+
+def run(
+    scene: str | os.PathLike[str] | Mapping[str, Any],
+    *,
+    output: str | os.PathLike[str] | None = None,
+    threads: int | None = None,
+    set: Mapping[str, Any] | None = None,  # noqa: A002
+    progress: Callable[[Progress], object] | None = None,
+) -> RunResult:
+    """Run a scene to its end and write its recording and summary.
+
+    Ctrl-C stops the run within a fraction of a second; the recording is finished first.
+
+    Args:
+        scene: A scene file, or the same as a dictionary.
+        output: Folder for what is written; ``out/NAME`` if None, with the name of the scene.
+        threads: Threads at work [-]; one per core if None. The result does not depend on it.
+        set: Values to put in place of the scene's, by dotted key: ``{"time.end": "1 s"}``.
+        progress: Called about 50 times a second; an exception that it raises stops the run.
+
+    Raises:
+        SceneError: The scene has mistakes; all are listed.
+        PhysicsError: The run went wrong; the recording holds it up to there.
+        OutputError: A file could not be written.
+
+    """
+    observer = None if progress is None else lambda *values: progress(Progress(*values))
+    summary, folder = _pelletflow.run(scene, output, threads, set, observer)
+    return RunResult(summary, folder)

@@ -1,0 +1,96 @@
+//! Every variant of a registry has its file, and every file its variant.
+
+use crate::sources::{entries, read, root};
+use std::collections::BTreeSet;
+
+/// A family: the folder of its files, and the enums whose variants are its rows.
+struct Family {
+    folder: &'static str,
+    registries: &'static [&'static str],
+    /// Variants that share a file or name it by its subject.
+    filed_under: &'static [(&'static str, &'static str)],
+    /// Variants that mean that there is nothing to compute.
+    without_file: &'static [&'static str],
+    /// Files that are no rows: what all rows share.
+    shared: &'static [&'static str],
+}
+
+const FAMILIES: [Family; 2] = [
+    Family {
+        folder: "crates/core/src/shape",
+        registries: &["Shape"],
+        filed_under: &[
+            ("Union", "combination"),
+            ("Intersection", "combination"),
+            ("Difference", "combination"),
+            ("Translated", "placement"),
+            ("Rotated", "placement"),
+        ],
+        without_file: &[],
+        shared: &["mod", "contract", "bounds", "error"],
+    },
+    Family {
+        folder: "crates/core/src/contact",
+        registries: &["NormalLaw", "TangentialLaw", "RollingLaw"],
+        filed_under: &[("ConstantTorque", "rolling")],
+        without_file: &["None"],
+        shared: &["mod", "contract"],
+    },
+];
+
+#[test]
+fn every_registry_row_has_its_file_and_every_file_its_row() {
+    for family in &FAMILIES {
+        let folder = root().join(family.folder);
+        let text = read(folder.join("mod.rs"));
+        let expected: BTreeSet<String> = family
+            .registries
+            .iter()
+            .flat_map(|registry| variants(&text, registry))
+            .filter(|variant| !family.without_file.contains(&variant.as_str()))
+            .map(|variant| family.file_of(&variant))
+            .collect();
+        let found: BTreeSet<String> = entries(&folder)
+            .iter()
+            .filter_map(|path| Some(path.file_stem()?.to_string_lossy().into_owned()))
+            .filter(|file| !family.shared.contains(&file.as_str()))
+            .collect();
+        assert_eq!(found, expected, "files and rows of {}", family.folder);
+    }
+}
+
+impl Family {
+    fn file_of(&self, variant: &str) -> String {
+        self.filed_under
+            .iter()
+            .find(|(name, _)| *name == variant)
+            .map_or_else(|| snake_case(variant), |(_, file)| (*file).to_owned())
+    }
+}
+
+/// Names of the variants of a public enum.
+fn variants(text: &str, registry: &str) -> Vec<String> {
+    let heading = format!("pub enum {registry} {{");
+    let names: Vec<String> = text
+        .lines()
+        .skip_while(|line| *line != heading)
+        .skip(1)
+        .take_while(|line| *line != "}")
+        .filter_map(|line| line.strip_prefix("    "))
+        .filter(|line| line.starts_with(|first: char| first.is_ascii_uppercase()))
+        .map(|line| line.trim_end_matches([' ', '{', ',']).to_owned())
+        .collect();
+    assert!(!names.is_empty(), "{registry} has no variants");
+    names
+}
+
+fn snake_case(name: &str) -> String {
+    let mut snake = String::new();
+    for letter in name.chars() {
+        if letter.is_ascii_uppercase() && !snake.is_empty() {
+            snake.push('_');
+        }
+        snake.push(letter.to_ascii_lowercase());
+    }
+    snake
+}
