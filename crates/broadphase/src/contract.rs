@@ -91,6 +91,7 @@ fn a_stray_pellet_far_away_costs_no_memory() {
 #[test]
 fn no_pellets_and_no_walls_are_no_trouble() {
     let _ = Grid::new(&[], 0.1);
+    let _ = Grid::new(&[], 0.0);
     let _ = Tree::new(&[], 0.1);
     let mut walls = vec![7];
     WallTree::new(&[]).near_into(Vec3::zeros(), 1.0, 0.1, &mut walls);

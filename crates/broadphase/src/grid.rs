@@ -33,7 +33,8 @@ impl Grid {
             }
             largest_radius = largest_radius.max(row[3]);
         }
-        let mut width = 2.0 * largest_radius + skin;
+        // Points without reach would ask for cells without width.
+        let mut width = (2.0 * largest_radius + skin).max(f64::MIN_POSITIVE.sqrt());
         let counts = loop {
             let counts =
                 [0, 1, 2].map(|axis| ((high[axis] - low[axis]).max(0.0) / width).floor() + 1.0);

@@ -99,17 +99,17 @@ impl Model {
         &self.setup.laws
     }
 
+    /// Whether two pellets may be of different kinds.
+    #[inline]
+    pub(crate) fn has_many_kinds(&self) -> bool {
+        self.setup.pellets.len() > 1
+    }
+
     /// Effective values of two kinds of pellets.
     #[inline]
     pub(crate) fn pair_of_kinds(&self, a: u16, b: u16) -> &MaterialPair {
         let kinds = self.setup.pellets.len();
-        // One kind needs no look-up, and most scenes have one.
-        let place = if kinds == 1 {
-            0
-        } else {
-            usize::from(a) * kinds + usize::from(b)
-        };
-        &self.derived.pairs_of_kinds[place]
+        &self.derived.pairs_of_kinds[usize::from(a) * kinds + usize::from(b)]
     }
 
     /// Effective values of a kind of pellet and a wall.

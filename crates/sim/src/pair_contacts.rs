@@ -1,13 +1,14 @@
 //! Contacts between pellets.
 //!
 //! Two passes over a chunk: a filter that picks the touching pairs without a branch to mispredict, then the laws on
-//! those alone, so that the processor works on several contacts at once.
+//! batches of those alone, several contacts to an instruction.
 
 use crate::forces::ForceChunk;
 use crate::state::{Pellets, row, vector};
 use crate::tally::Partner;
 use crate::workspace::{Load, Touch};
-use pelletflow_core::{Contact, ContactForce, ContactHistory, Vec3};
+use pelletflow_core::contact::batch::{Batch, LANES, Sphere};
+use pelletflow_core::{ContactForce, ContactHistory, Vec3};
 
 /// Adds the forces of all pairs that the chunk lists.
 ///
@@ -16,8 +17,12 @@ use pelletflow_core::{Contact, ContactForce, ContactHistory, Vec3};
 pub(crate) fn add_forces(chunk: &mut ForceChunk) {
     let mut touches = std::mem::take(chunk.touches);
     find_touches(chunk, &mut touches);
-    for &touch in &touches {
-        add_force(chunk, touch);
+    let mut batch = Batch::default();
+    for lane in 0..LANES {
+        batch.set_pair(lane, chunk.model.pair_of_kinds(0, 0));
+    }
+    for touches in touches.chunks(LANES) {
+        add_batch(chunk, &mut batch, touches);
     }
     *chunk.touches = touches;
 }
@@ -61,26 +66,39 @@ fn find_touches(chunk: &mut ForceChunk, touches: &mut Vec<Touch>) {
     touches.truncate(found);
 }
 
-#[inline]
-fn add_force(chunk: &mut ForceChunk, touch: Touch) {
-    let (local, b, slot) = (
-        touch.local as usize,
-        touch.partner as usize,
-        touch.slot as usize,
-    );
-    let a = chunk.range.start + local;
+/// Works out one batch of touching pairs and adds what they do.
+fn add_batch(chunk: &mut ForceChunk, batch: &mut Batch, touches: &[Touch]) {
     let model = chunk.model;
-    let time_step = model.time_step().seconds;
-    let (contact, arms) = contact_of(chunk.pellets, a, b, model.has_rotation());
-    let pair = model.pair_of_kinds(chunk.pellets.kind[a], chunk.pellets.kind[b]);
-    let memory = &mut chunk.contacts.pellet[slot];
-    let mut history = ContactHistory {
-        tangential_displacement: vector(memory),
-    };
-    let force = model.laws().force(&contact, pair, &mut history, time_step);
-    *memory = row(history.tangential_displacement, memory[3] + 1.0);
+    let pellets = chunk.pellets;
+    for (lane, touch) in touches.iter().enumerate() {
+        let a = chunk.range.start + touch.local as usize;
+        let b = touch.partner as usize;
+        let memory = &chunk.contacts.pellet[touch.slot as usize];
+        let history = ContactHistory {
+            tangential_displacement: vector(memory),
+        };
+        batch.set(lane, &sphere(pellets, a), &sphere(pellets, b), &history);
+        if model.has_many_kinds() {
+            batch.set_pair(lane, model.pair_of_kinds(pellets.kind[a], pellets.kind[b]));
+        }
+    }
+    model
+        .laws()
+        .forces(batch, touches.len(), model.time_step().seconds);
+    for (lane, touch) in touches.iter().enumerate() {
+        add_force(chunk, batch, lane, *touch);
+    }
+}
 
-    let twist = contact.normal.cross(&force.force);
+#[inline]
+fn add_force(chunk: &mut ForceChunk, batch: &Batch, lane: usize, touch: Touch) {
+    let (local, b) = (touch.local as usize, touch.partner as usize);
+    let a = chunk.range.start + local;
+    let force = batch.force(lane);
+    let memory = &mut chunk.contacts.pellet[touch.slot as usize];
+    *memory = row(batch.history(lane).tangential_displacement, memory[3] + 1.0);
+
+    let (twist, arms) = (batch.twist(lane), batch.arms(lane));
     add_load(&mut chunk.loads[local], &force, 1.0, -arms[0] * twist);
     let is_in_chunk = chunk.range.contains(&b);
     if is_in_chunk {
@@ -92,41 +110,29 @@ fn add_force(chunk: &mut ForceChunk, touch: Touch) {
         );
     }
     if is_in_chunk || b > a {
-        chunk.tally.open(&contact, pair, &force, time_step);
+        let time_step = chunk.model.time_step().seconds;
+        chunk.tally.open(
+            &force,
+            || (batch.contact(lane), batch.pair(lane)),
+            time_step,
+        );
         let smaller = chunk.pellets.position[a][3].min(chunk.pellets.position[b][3]);
         chunk
             .tally
-            .depth(contact.overlap / smaller, a, Partner::Pellet(b));
+            .depth(batch.overlap(lane) / smaller, a, Partner::Pellet(b));
     }
 }
 
-/// The contact of two touching pellets seen from `a`, and the arms from both centers to its middle [m].
 #[inline]
-fn contact_of(pellets: &Pellets, a: usize, b: usize, has_rotation: bool) -> (Contact, [f64; 2]) {
-    let (center, other) = (&pellets.position[a], &pellets.position[b]);
-    let between = vector(center) - vector(other);
-    let distance = between.norm();
-    let normal = between * (1.0 / distance);
-    let radii_sum = center[3] + other[3];
-    let overlap = radii_sum - distance;
-    let arms = [center[3] - 0.5 * overlap, other[3] - 0.5 * overlap];
-    let (velocity, other_velocity) = (&pellets.velocity[a], &pellets.velocity[b]);
-    let mut relative_velocity = vector(velocity) - vector(other_velocity);
-    let mut relative_spin = Vec3::zeros();
-    if has_rotation {
-        let spins = [vector(&pellets.spin[a]), vector(&pellets.spin[b])];
-        relative_velocity -= (arms[0] * spins[0] + arms[1] * spins[1]).cross(&normal);
-        relative_spin = spins[0] - spins[1];
+fn sphere(pellets: &Pellets, index: usize) -> Sphere {
+    let (position, velocity) = (&pellets.position[index], &pellets.velocity[index]);
+    Sphere {
+        center: vector(position),
+        radius: position[3],
+        velocity: vector(velocity),
+        spin: vector(&pellets.spin[index]),
+        inverse_mass: velocity[3],
     }
-    let contact = Contact {
-        normal,
-        overlap,
-        relative_velocity,
-        relative_spin,
-        effective_radius: center[3] * other[3] / radii_sum,
-        effective_mass: 1.0 / (velocity[3] + other_velocity[3]),
-    };
-    (contact, arms)
 }
 
 /// Adds a force with a sign, its moment, and the rolling torque with the same sign.

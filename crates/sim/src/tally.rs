@@ -58,13 +58,12 @@ impl ForceTally {
         }
     }
 
-    /// Enters an open contact.
+    /// Enters an open contact; `contact` is asked for only where its force may be the greatest so far.
     #[inline]
     pub(crate) fn open(
         &mut self,
-        contact: &Contact,
-        pair: &MaterialPair,
         force: &ContactForce,
+        contact: impl FnOnce() -> (Contact, MaterialPair),
         time_step: f64,
     ) {
         self.open += 1;
@@ -74,7 +73,8 @@ impl ForceTally {
         self.sliding_power += force.sliding_power;
         // Between two steps the force rises by at most a few percent; only a likely record is looked at closely.
         if force.normal > 0.9 * self.max_force {
-            let peak = hertz::peak_force_near(contact, pair, force.normal, time_step);
+            let (contact, pair) = contact();
+            let peak = hertz::peak_force_near(&contact, &pair, force.normal, time_step);
             self.max_force = self.max_force.max(peak);
         }
     }

@@ -76,7 +76,7 @@ fn touch(chunk: &mut ForceChunk, local: usize, index: usize, slot: usize) -> boo
 
     let moment: Vec3 = -arm * normal.cross(&force.force);
     add_load(&mut chunk.loads[local], &force, 1.0, moment);
-    chunk.tally.open(&contact, pair, &force, time_step);
+    chunk.tally.open(&force, || (contact, *pair), time_step);
     chunk.tally.open_with_walls += 1;
     chunk.tally.depth(overlap / radius, a, Partner::Wall(index));
     chunk.tally.wall_force[index] -= force.force;

@@ -1,0 +1,222 @@
+//! Contacts side by side: each quantity an array, so that one instruction works on several contacts.
+//!
+//! A batch is filled from pellet rows, worked out by [`ContactLaws::forces`](super::ContactLaws::forces) with the very
+//! functions that serve a single contact, and read back; neither way differs from the other in any bit.
+
+use super::{Contact, ContactForce, ContactHistory};
+use crate::{MaterialPair, Vec3};
+
+/// Contacts in a batch [-]: its arrays fill a third of a level-1 cache.
+pub const LANES: usize = 32;
+
+type Lanes = [f64; LANES];
+type Lanes3 = [Lanes; 3];
+
+/// One sphere of a contact, as the batch needs it.
+#[derive(Debug, Clone, Copy)]
+pub struct Sphere {
+    /// Center [m].
+    pub center: Vec3,
+    /// Radius [m].
+    pub radius: f64,
+    /// Velocity [m/s].
+    pub velocity: Vec3,
+    /// Spin [rad/s].
+    pub spin: Vec3,
+    /// Inverse mass [1/kg].
+    pub inverse_mass: f64,
+}
+
+/// Contacts of spheres, and what they do.
+#[derive(Debug, Clone)]
+pub struct Batch {
+    between: Lanes3,
+    radius: [Lanes; 2],
+    velocity: Lanes3,
+    spin: [Lanes3; 2],
+    inverse_mass: Lanes,
+    pair: [Lanes; 6],
+    displacement: Lanes3,
+    overlap: Lanes,
+    force: Lanes3,
+    twist: Lanes3,
+    rolling_torque: Lanes3,
+    scalar: [Lanes; 5],
+}
+
+impl Default for Batch {
+    fn default() -> Self {
+        let lanes = [0.0; LANES];
+        let lanes3 = [lanes; 3];
+        Self {
+            between: lanes3,
+            radius: [lanes; 2],
+            velocity: lanes3,
+            spin: [lanes3; 2],
+            inverse_mass: lanes,
+            pair: [lanes; 6],
+            displacement: lanes3,
+            overlap: lanes,
+            force: lanes3,
+            twist: lanes3,
+            rolling_torque: lanes3,
+            scalar: [lanes; 5],
+        }
+    }
+}
+
+impl Batch {
+    /// Puts the contact of two spheres into a lane.
+    #[inline]
+    pub fn set(&mut self, lane: usize, a: &Sphere, b: &Sphere, history: &ContactHistory) {
+        for axis in 0..3 {
+            self.between[axis][lane] = a.center[axis] - b.center[axis];
+            self.velocity[axis][lane] = a.velocity[axis] - b.velocity[axis];
+            self.spin[0][axis][lane] = a.spin[axis];
+            self.spin[1][axis][lane] = b.spin[axis];
+            self.displacement[axis][lane] = history.tangential_displacement[axis];
+        }
+        self.radius[0][lane] = a.radius;
+        self.radius[1][lane] = b.radius;
+        self.inverse_mass[lane] = a.inverse_mass + b.inverse_mass;
+    }
+
+    /// Sets the effective values of the two materials in a lane.
+    #[inline]
+    pub fn set_pair(&mut self, lane: usize, pair: &MaterialPair) {
+        let values = [
+            pair.effective_youngs_modulus,
+            pair.effective_shear_modulus,
+            pair.damping_ratio,
+            pair.tangential_damping_share,
+            pair.friction,
+            pair.rolling_friction,
+        ];
+        for (lanes, value) in self.pair.iter_mut().zip(values) {
+            lanes[lane] = value;
+        }
+    }
+
+    /// The effective values of the two materials in a lane.
+    #[inline]
+    pub fn pair(&self, lane: usize) -> MaterialPair {
+        MaterialPair {
+            effective_youngs_modulus: self.pair[0][lane],
+            effective_shear_modulus: self.pair[1][lane],
+            damping_ratio: self.pair[2][lane],
+            tangential_damping_share: self.pair[3][lane],
+            friction: self.pair[4][lane],
+            rolling_friction: self.pair[5][lane],
+        }
+    }
+
+    /// The contact in a lane.
+    #[expect(
+        clippy::inline_always,
+        reason = "a call in the loop of a batch would keep it from using vector instructions"
+    )]
+    #[inline(always)]
+    pub fn contact(&self, lane: usize) -> Contact {
+        let between = vector(&self.between, lane);
+        let radii = [self.radius[0][lane], self.radius[1][lane]];
+        let distance = between.norm_squared().sqrt();
+        let normal = between * (1.0 / distance);
+        let radii_sum = radii[0] + radii[1];
+        let overlap = radii_sum - distance;
+        let arms = [radii[0] - 0.5 * overlap, radii[1] - 0.5 * overlap];
+        let spins = [vector(&self.spin[0], lane), vector(&self.spin[1], lane)];
+        let surface_spin = arms[0] * spins[0] + arms[1] * spins[1];
+        Contact {
+            normal,
+            overlap,
+            relative_velocity: vector(&self.velocity, lane) - surface_spin.cross(&normal),
+            relative_spin: spins[0] - spins[1],
+            effective_radius: radii[0] * radii[1] / radii_sum,
+            effective_mass: 1.0 / self.inverse_mass[lane],
+        }
+    }
+
+    /// What the contact in a lane remembers.
+    #[inline]
+    pub fn history(&self, lane: usize) -> ContactHistory {
+        ContactHistory {
+            tangential_displacement: vector(&self.displacement, lane),
+        }
+    }
+
+    #[expect(
+        clippy::inline_always,
+        reason = "a call in the loop of a batch would keep it from using vector instructions"
+    )]
+    #[inline(always)]
+    pub(super) fn set_force(
+        &mut self,
+        lane: usize,
+        contact: &Contact,
+        force: &ContactForce,
+        history: &ContactHistory,
+    ) {
+        self.overlap[lane] = contact.overlap;
+        set_vector(&mut self.force, lane, force.force);
+        set_vector(&mut self.twist, lane, contact.normal.cross(&force.force));
+        set_vector(&mut self.rolling_torque, lane, force.rolling_torque);
+        set_vector(
+            &mut self.displacement,
+            lane,
+            history.tangential_displacement,
+        );
+        self.scalar[0][lane] = force.normal;
+        self.scalar[1][lane] = force.elastic_energy;
+        self.scalar[2][lane] = force.dissipation;
+        self.scalar[3][lane] = force.sliding_energy;
+        self.scalar[4][lane] = force.sliding_power;
+    }
+
+    /// What the contact in a lane does.
+    #[inline]
+    pub fn force(&self, lane: usize) -> ContactForce {
+        ContactForce {
+            normal: self.scalar[0][lane],
+            force: vector(&self.force, lane),
+            rolling_torque: vector(&self.rolling_torque, lane),
+            elastic_energy: self.scalar[1][lane],
+            dissipation: self.scalar[2][lane],
+            sliding_energy: self.scalar[3][lane],
+            sliding_power: self.scalar[4][lane],
+        }
+    }
+
+    /// Normal times force in a lane: the torque on each body is its arm times the negative of this [N].
+    #[inline]
+    pub fn twist(&self, lane: usize) -> Vec3 {
+        vector(&self.twist, lane)
+    }
+
+    /// Distances from the centers of both spheres in a lane to the middle of their contact [m].
+    #[inline]
+    pub fn arms(&self, lane: usize) -> [f64; 2] {
+        let half_overlap = 0.5 * self.overlap[lane];
+        [
+            self.radius[0][lane] - half_overlap,
+            self.radius[1][lane] - half_overlap,
+        ]
+    }
+
+    /// Overlap in a lane [m].
+    #[inline]
+    pub fn overlap(&self, lane: usize) -> f64 {
+        self.overlap[lane]
+    }
+}
+
+#[inline]
+fn vector(lanes: &Lanes3, lane: usize) -> Vec3 {
+    Vec3::new(lanes[0][lane], lanes[1][lane], lanes[2][lane])
+}
+
+#[inline]
+fn set_vector(lanes: &mut Lanes3, lane: usize, vector: Vec3) {
+    for axis in 0..3 {
+        lanes[axis][lane] = vector[axis];
+    }
+}
