@@ -139,7 +139,7 @@ fn a_wrong_override_is_bad_input_and_named_as_such() {
 fn wrong_usage_is_bad_input() {
     let directory = spoiled("[output]", "[output]");
     for (arguments, expected) in [
-        (&["rnu"][..], "run"),
+        (&["rnu"][..], "unrecognized subcommand 'rnu'"),
         (&["run"], "<SCENE>"),
         (
             &["run", "scene.toml", "--threads", "0"],

@@ -167,7 +167,7 @@ fn an_interrupted_run_closes_its_recording_and_writes_its_summary() {
     let recording = path.join("out/hopper/run.mcap");
     let began = Instant::now();
     // The handler is set before the recording is begun.
-    while !recording.is_file() && began.elapsed() < Duration::from_secs(60) {
+    while !recording.is_file() && began.elapsed() < Duration::from_mins(1) {
         std::thread::sleep(Duration::from_millis(20));
     }
     let kill = Command::new("kill")

@@ -4,24 +4,24 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 /// What a call of the program came to.
-pub struct Call {
+pub(crate) struct Call {
     /// Exit code [-].
-    pub code: i32,
+    pub(crate) code: i32,
     /// Standard output.
-    pub output: String,
+    pub(crate) output: String,
     /// Standard error.
-    pub error: String,
+    pub(crate) error: String,
 }
 
 /// The program, to be run in a directory.
-pub fn program(directory: &Path) -> Command {
+pub(crate) fn program(directory: &Path) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_pelletflow"));
     command.current_dir(directory);
     command
 }
 
 /// Runs the program in a directory.
-pub fn call(directory: &Path, arguments: &[&str]) -> Call {
+pub(crate) fn call(directory: &Path, arguments: &[&str]) -> Call {
     let Output {
         status,
         stdout,
