@@ -51,12 +51,11 @@ pub(crate) fn number(value: f64) -> String {
     if magnitude != 0.0 && !(1.0e-3..1.0e6).contains(&magnitude) {
         return format!("{value:.3e}");
     }
-    let digits_before = if magnitude < 1.0 {
-        0
-    } else {
-        magnitude.log10().floor() as usize
-    };
-    format!("{value:.*}", 3_usize.saturating_sub(digits_before))
+    if magnitude == 0.0 {
+        return "0".into();
+    }
+    let decimals = 3 - magnitude.log10().floor() as i32;
+    format!("{value:.*}", usize::try_from(decimals).unwrap_or(0))
 }
 
 /// A span of time as people say it.
@@ -92,10 +91,10 @@ mod tests {
 
     #[test]
     fn numbers_have_four_digits_and_counts_their_thousands_apart() {
-        assert_eq!(number(0.0), "0.000");
+        assert_eq!(number(0.0), "0");
         assert_eq!(number(264.699), "264.7");
         assert_eq!(number(32.692), "32.69");
-        assert_eq!(number(0.0501), "0.050");
+        assert_eq!(number(0.006_538_4), "0.006538");
         assert_eq!(number(1.25e-5), "1.250e-5");
         assert_eq!(count(0), "0");
         assert_eq!(count(5000), "5,000");

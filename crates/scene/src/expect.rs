@@ -72,7 +72,7 @@ impl Expectations {
                 ExpectationOutcome {
                     key: key.clone(),
                     expected: demand.to_string(),
-                    found: found.map_or_else(|| "nothing".into(), shown),
+                    found: found.map_or_else(|| "nothing".into(), |found| shown(found, demand)),
                     is_met: found.is_some_and(|found| demand.is_met_by(found)),
                 }
             })
@@ -164,9 +164,16 @@ fn lookup<'v>(value: &'v Value, key: &str) -> Option<&'v Value> {
     })
 }
 
-fn shown(value: &Value) -> String {
+/// A value to print; its last digits are left out where the verdict is the same without them.
+fn shown(value: &Value, demand: &Demand) -> String {
     match value {
-        Value::Number(number) => number.as_f64().map_or_else(|| number.to_string(), show),
+        Value::Number(number) => {
+            let rounded = number
+                .as_f64()
+                .and_then(|exact| format!("{exact:.6e}").parse::<f64>().ok())
+                .filter(|&rounded| demand.is_met_by(&rounded.into()) == demand.is_met_by(value));
+            rounded.map_or_else(|| number.to_string(), show)
+        }
         Value::String(text) => text.clone(),
         other => other.to_string(),
     }

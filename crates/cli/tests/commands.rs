@@ -1,0 +1,185 @@
+//! Commands do what their help says.
+
+mod common;
+
+use common::{call, program};
+use std::fs;
+use tempfile::TempDir;
+
+#[test]
+fn help_teaches_with_examples_units_and_exit_codes() {
+    let directory = TempDir::new().expect("a directory");
+    let help = call(directory.path(), &["--help"]);
+    assert_eq!(help.code, 0);
+    for part in [
+        "Examples:",
+        "Units:",
+        "Exit codes:",
+        "130",
+        "run",
+        "check",
+        "schema",
+        "new",
+        "inspect",
+    ] {
+        assert!(help.output.contains(part), "{part}");
+    }
+    for command in ["run", "check", "schema", "new", "inspect", "completions"] {
+        let help = call(directory.path(), &[command, "--help"]);
+        assert_eq!(help.code, 0);
+        assert!(help.output.contains("Example"), "{command}");
+    }
+}
+
+#[test]
+fn completions_know_the_commands() {
+    let directory = TempDir::new().expect("a directory");
+    for shell in ["bash", "zsh", "fish", "powershell"] {
+        let script = call(directory.path(), &["completions", shell]);
+        assert_eq!(script.code, 0);
+        assert!(script.output.contains("inspect"), "{shell}");
+    }
+}
+
+#[test]
+fn the_schema_is_json_of_draft_7() {
+    let directory = TempDir::new().expect("a directory");
+    let schema = call(directory.path(), &["schema"]).output;
+    let schema: serde_json::Value = serde_json::from_str(&schema).expect("JSON");
+    assert!(
+        schema["$schema"]
+            .as_str()
+            .is_some_and(|id| id.contains("draft-07"))
+    );
+    assert!(schema["properties"]["walls"].is_object());
+}
+
+#[test]
+fn a_new_scene_checks_runs_and_is_inspected() {
+    let directory = TempDir::new().expect("a directory");
+    let path = directory.path();
+    assert_eq!(call(path, &["new", "drop"]).code, 0);
+
+    let again = call(path, &["new", "drop"]);
+    assert_eq!(again.code, 2);
+    assert!(
+        again
+            .error
+            .contains("drop.toml exists and is not overwritten"),
+        "{}",
+        again.error
+    );
+
+    let check = call(path, &["check", "drop.toml"]);
+    assert_eq!(check.code, 0, "{}", check.error);
+    assert!(check.output.contains("time step"), "{}", check.output);
+
+    let run = call(path, &["run", "drop.toml"]);
+    assert_eq!(run.code, 0, "{}{}", run.output, run.error);
+    assert!(
+        run.output.contains("contacts.max_force_n"),
+        "{}",
+        run.output
+    );
+    for file in ["run.mcap", "summary.json", "scene.toml"] {
+        assert!(path.join("out/drop").join(file).is_file(), "{file}");
+    }
+
+    let inspect = call(path, &["inspect", "out/drop/run.mcap"]);
+    assert_eq!(inspect.code, 0, "{}", inspect.error);
+    assert!(inspect.output.contains("channel"), "{}", inspect.output);
+    let inspect = call(path, &["inspect", "out/drop/run.mcap", "--json"]);
+    let inspect: serde_json::Value = serde_json::from_str(&inspect.output).expect("JSON");
+    assert_eq!(inspect["is_cut_off"], false);
+}
+
+#[test]
+fn an_expectation_that_is_not_met_is_shown_and_fails_the_run() {
+    let directory = TempDir::new().expect("a directory");
+    let path = directory.path();
+    assert_eq!(call(path, &["new", "drop"]).code, 0);
+    let arguments = [
+        "run",
+        "drop.toml",
+        "--set",
+        "expect.\"bodies.inside\"=2",
+        "--json",
+        "--threads",
+        "1",
+    ];
+    let run = call(path, &arguments);
+    assert_eq!(run.code, 3, "{}", run.error);
+    assert!(
+        run.error
+            .contains("expect.\"bodies.inside\": found 1, expected 2"),
+        "{}",
+        run.error
+    );
+    let summary: serde_json::Value = serde_json::from_str(&run.output).expect("JSON alone");
+    assert_eq!(summary["threads"], 1);
+    let outcomes = summary["expectations"].as_array().expect("a list");
+    assert!(outcomes.iter().any(|outcome| outcome["is_met"] == false));
+    let as_run = fs::read_to_string(path.join("out/drop/scene.toml")).expect("written");
+    assert!(as_run.contains("\"bodies.inside\" = 2"), "{as_run}");
+}
+
+#[test]
+fn a_quiet_run_says_nothing() {
+    let directory = TempDir::new().expect("a directory");
+    let path = directory.path();
+    assert_eq!(call(path, &["new", "drop"]).code, 0);
+    let run = call(path, &["run", "drop.toml", "--quiet"]);
+    assert_eq!(
+        (run.code, run.output.as_str(), run.error.as_str()),
+        (0, "", "")
+    );
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_run_closes_its_recording_and_writes_its_summary() {
+    use std::process::{Command, Stdio};
+    use std::time::{Duration, Instant};
+
+    let directory = TempDir::new().expect("a directory");
+    let path = directory.path();
+    assert_eq!(call(path, &["new", "hopper"]).code, 0);
+    let mut run = program(path)
+        .args([
+            "run",
+            "hopper.toml",
+            "--quiet",
+            "--set",
+            "time.end=5000 s",
+            "--set",
+            "stop.empty_after=5000 s",
+        ])
+        .args([
+            "--set",
+            "walls.gate.opens_at=5000 s",
+            "--set",
+            "output.frame_interval=1 s",
+        ])
+        .args(["--set", "output.meter_interval=1 s"])
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the program starts");
+    let recording = path.join("out/hopper/run.mcap");
+    let began = Instant::now();
+    // The handler is set before the recording is begun.
+    while !recording.is_file() && began.elapsed() < Duration::from_mins(1) {
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    let kill = Command::new("kill")
+        .args(["-INT", &run.id().to_string()])
+        .status();
+    assert!(kill.expect("kill is there").success());
+    assert_eq!(run.wait().expect("the program ends").code(), Some(130));
+
+    let summary = fs::read_to_string(path.join("out/hopper/summary.json")).expect("written");
+    let summary: serde_json::Value = serde_json::from_str(&summary).expect("JSON");
+    assert_eq!(summary["ended"], "interrupted");
+    let inspect = call(path, &["inspect", "out/hopper/run.mcap", "--json"]).output;
+    let inspect: serde_json::Value = serde_json::from_str(&inspect).expect("JSON");
+    assert_eq!(inspect["is_cut_off"], false);
+}
