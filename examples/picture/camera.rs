@@ -7,7 +7,7 @@ const ELEVATION: f64 = 0.30;
 /// How far the camera stands to the side [rad].
 const AZIMUTH: f64 = 0.20;
 /// Share of a panel that is left free on each side [-].
-const MARGIN: f64 = 0.07;
+const MARGIN: f64 = 0.04;
 
 /// A ray of light, backwards: from the eye into the scene.
 #[derive(Debug, Clone, Copy)]

@@ -25,6 +25,8 @@ use std::process::ExitCode;
 
 /// Size of the picture [px].
 const SIZE: [usize; 2] = [1200, 700];
+/// Height of the strip above the panels, which holds their times [px].
+const CAPTION_HEIGHT: usize = 46;
 /// Height of the strip below the panels, which holds the scale [px].
 const SCALE_HEIGHT: usize = 60;
 /// Panels drawn where no times are given [-].
@@ -66,10 +68,11 @@ fn draw(recording: &Path, picture: &Path, times: &[f64]) -> Result<(), Box<dyn E
     let width = SIZE[0] / frames.len();
     for (index, frame) in frames.iter().enumerate() {
         let panel = Panel::new(&scene.setup, frame, &bounds, full_speed);
-        let origin = [index * width, 0];
-        panel.render(&mut canvas, origin, [width, SIZE[1] - SCALE_HEIGHT]);
+        let origin = [index * width, CAPTION_HEIGHT];
+        let height = SIZE[1] - CAPTION_HEIGHT - SCALE_HEIGHT;
+        panel.render(&mut canvas, origin, [width, height]);
         let caption = format!("t = {:.2} s", frame.time);
-        canvas.centered_text(&caption, [origin[0] + width / 2, 16], 3);
+        canvas.centered_text(&caption, [origin[0] + width / 2, 16], 2);
     }
     canvas.scale(full_speed, SIZE[1] - SCALE_HEIGHT);
     canvas.save(picture)?;

@@ -3,9 +3,10 @@
 /// Red, green and blue in linear light, 0 to 1.
 pub(crate) type Light = [f64; 3];
 
-/// Viridis (van der Walt and Smith 2015) at ten even steps, as a screen shows it.
-const SCALE: [[f64; 3]; 10] = [
-    [0.2670, 0.0049, 0.3294],
+/// Viridis (van der Walt and Smith 2015) from its first ninth on, in even steps, as a screen shows it.
+///
+/// The darkest ninth is left out: pellets at rest would swallow their own shading.
+const SCALE: [[f64; 3]; 9] = [
     [0.2814, 0.1558, 0.4692],
     [0.2450, 0.2877, 0.5373],
     [0.1906, 0.4071, 0.5561],
@@ -28,7 +29,7 @@ pub(crate) fn on_scale(share: f64) -> Light {
 }
 
 /// A wall's surface, and where it is cut.
-pub(crate) const STEEL: Light = [0.56, 0.60, 0.65];
+pub(crate) const STEEL: Light = [0.60, 0.64, 0.69];
 pub(crate) const CUT_STEEL: Light = [0.10, 0.12, 0.15];
 /// The picture's ground.
 pub(crate) const PAPER: Light = [1.0, 1.0, 1.0];

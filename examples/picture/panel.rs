@@ -14,12 +14,12 @@ use std::thread;
 /// Rays per pixel along each side [-].
 const SAMPLES: usize = 2;
 /// Rays of skylight per sample [-].
-const SKY_RAYS: usize = 5;
+const SKY_RAYS: usize = 8;
 /// Share of the light that comes from the sky, and from the lamp [-].
-const SKY: f64 = 0.62;
-const LAMP: f64 = 0.75;
+const SKY: f64 = 0.64;
+const LAMP: f64 = 0.80;
 /// Width of the lamp, as the tangent of half its angle: wide lamps cast soft shadows [-].
-const LAMP_WIDTH: f64 = 0.12;
+const LAMP_WIDTH: f64 = 0.04;
 /// Way of skylight that is watched, in diameters of the largest pellet [-].
 const SKY_REACH: f64 = 5.0;
 
@@ -130,7 +130,7 @@ impl<'a> Panel<'a> {
         let direct = if lit { cosine } else { 0.0 };
         let gleam = if lit {
             let half = (lamp - ray.direction).normalize();
-            0.10 * facing.dot(&half).max(0.0).powi(40)
+            0.18 * facing.dot(&half).max(0.0).powi(40)
         } else {
             0.0
         };
@@ -179,7 +179,7 @@ impl Noise {
         Self(mixed)
     }
 
-    /// The next number in 0..1 (SplitMix64; Steele, Lea and Flood 2014).
+    /// The next number in 0..1 (`SplitMix64`; Steele, Lea and Flood 2014).
     fn next(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);

@@ -11,7 +11,7 @@ const STEPS: usize = 160;
 
 /// The walls of one moment, without the part before a plane.
 pub(crate) struct Walls<'a> {
-    walls: Vec<(Pose, &'a Shape)>,
+    present: Vec<(Pose, &'a Shape)>,
     bounds: Bounds,
     /// Where y is less than this, the walls are cut away [m].
     cut: f64,
@@ -31,14 +31,14 @@ impl<'a> Walls<'a> {
     /// The walls that are there at a time [s], as far as the bounds reach.
     pub(crate) fn at(setup: &'a Setup, time: f64, bounds: &Bounds, cut: f64) -> Self {
         let touch = TOUCH_SHARE * (bounds.max - bounds.min).norm();
-        let walls = setup
+        let present = setup
             .walls
             .iter()
             .filter(|wall| wall.schedule.is_present(time))
             .map(|wall| (wall.motion.pose(time), &wall.shape))
             .collect();
         Self {
-            walls,
+            present,
             bounds: bounds.grown(10.0 * touch),
             cut,
             touch,
@@ -87,7 +87,7 @@ impl<'a> Walls<'a> {
     }
 
     fn of_walls(&self, point: Vec3) -> f64 {
-        self.walls
+        self.present
             .iter()
             .map(|(pose, shape)| shape.distance(pose.inverse_point(point)))
             .fold(f64::INFINITY, f64::min)
@@ -96,7 +96,7 @@ impl<'a> Walls<'a> {
     fn point(&self, point: Vec3, distance: f64) -> WallPoint {
         let is_cut = self.cut - point.y > self.of_walls(point);
         let nearest = self
-            .walls
+            .present
             .iter()
             .map(|(pose, shape)| (pose, shape.surface(pose.inverse_point(point))))
             .reduce(|a, b| if b.1.distance < a.1.distance { b } else { a });
