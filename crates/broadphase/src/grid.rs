@@ -90,6 +90,9 @@ impl Grid {
     }
 
     /// Calls `visit` with every other pellet within reach of `index`.
+    ///
+    /// # Panics
+    /// Only if `index` is not a row that the grid was made of.
     pub fn for_each_within_reach(&self, index: usize, visit: &mut impl FnMut(usize)) {
         let cell = self.cell_of[index] as usize;
         let x = cell % self.counts[0];

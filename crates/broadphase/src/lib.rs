@@ -48,7 +48,7 @@ impl Search<'_> {
             Self::Grid(grid) => grid.for_each_within_reach(index, &mut keep),
             Self::Tree(tree) => tree.for_each_within_reach(index, &mut keep),
             Self::AllPairs { rows, skin } => {
-                all_pairs::for_each_within_reach(rows, *skin, index, &mut keep)
+                all_pairs::for_each_within_reach(rows, *skin, index, &mut keep);
             }
         }
         partners[first..].sort_unstable();

@@ -10,7 +10,7 @@ use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy};
 pub struct Tree<'a> {
     rows: &'a [SphereRow],
     skin: f64,
-    tree: Bvh,
+    boxes: Bvh,
 }
 
 impl<'a> Tree<'a> {
@@ -20,14 +20,14 @@ impl<'a> Tree<'a> {
         Self {
             rows,
             skin,
-            tree: Bvh::from_leaves(BvhBuildStrategy::Binned, &boxes),
+            boxes: Bvh::from_leaves(BvhBuildStrategy::Binned, &boxes),
         }
     }
 
     /// Calls `visit` with every other pellet within reach of `index`.
     pub fn for_each_within_reach(&self, index: usize, visit: &mut impl FnMut(usize)) {
         let row = &self.rows[index];
-        for other in self.tree.intersect_aabb(&box_about(row, self.skin / 2.0)) {
+        for other in self.boxes.intersect_aabb(&box_about(row, self.skin / 2.0)) {
             let other = other as usize;
             if other != index && is_within_reach(row, &self.rows[other], self.skin) {
                 visit(other);

@@ -11,7 +11,7 @@ pub use contact::{Contact, ContactForce, ContactHistory, ContactLaws};
 pub use material::{Material, MaterialPair, PairProperties};
 pub use nalgebra::{UnitQuaternion, UnitVector3};
 pub use pose::Pose;
-pub use shape::{Bounds, Shape, ShapeError, Surface};
+pub use shape::{Bounds, Profile, Shape, ShapeError, Surface};
 
 /// A point, a direction or a vector in space; the unit is that of its use.
 pub type Vec3 = nalgebra::Vector3<f64>;

@@ -13,7 +13,11 @@ fn an_inspection_tells_what_a_recording_holds() {
     let inspection = inspect(directory.path().join("run.mcap")).expect("the recording opens");
     assert_eq!(inspection.frames, 6);
     assert_eq!(inspection.compression.as_deref(), Some("zstd"));
-    assert!(inspection.compression_ratio.is_some_and(|ratio| ratio > 1.0));
+    assert!(
+        inspection
+            .compression_ratio
+            .is_some_and(|ratio| ratio > 1.0)
+    );
     assert!(!inspection.is_cut_off);
     let run = &inspection.metadata["pelletflow.run"];
     assert_eq!(run["scene_hash"], summary.scene_hash);
@@ -50,7 +54,10 @@ fn a_recording_cut_off_anywhere_opens_up_to_its_last_whole_chunk() {
         let frames: Result<Vec<_>, _> = read_frames(&cut).expect("it opens").collect();
         let frames = frames.expect("frames before the cut can be read");
         assert_eq!(frames.len() as u64, inspection.frames);
-        assert!(frames.len() as u64 >= most_frames, "more file, not fewer frames");
+        assert!(
+            frames.len() as u64 >= most_frames,
+            "more file, not fewer frames"
+        );
         most_frames = inspection.frames;
     }
     assert!(most_frames >= 1, "the beginning is a chunk of its own");

@@ -100,7 +100,10 @@ fn every_message_decodes_by_its_schema() {
 fn log_times_never_go_back() {
     let directory = tempfile::tempdir().expect("a temporary directory can be made");
     let bytes = recorded(directory.path(), 0.06);
-    let times: Vec<u64> = messages(&bytes).iter().map(|message| message.log_time).collect();
+    let times: Vec<u64> = messages(&bytes)
+        .iter()
+        .map(|message| message.log_time)
+        .collect();
     assert!(times.is_sorted());
 }
 
@@ -172,7 +175,11 @@ fn a_gate_that_opens_is_taken_away_and_the_other_walls_are_sent_again() {
     assert_eq!(updates[1].1.deletions.len(), 1);
     assert_eq!(updates[1].1.deletions[0].id, "gate");
     // A step is far below a tenth of a millisecond.
-    assert!((updates[1].0 - GATE_OPENS).abs() < 1.0e-4, "{}", updates[1].0);
+    assert!(
+        (updates[1].0 - GATE_OPENS).abs() < 1.0e-4,
+        "{}",
+        updates[1].0
+    );
     let told = of_topic(&messages, "/log").into_iter().any(|message| {
         let line = Log::decode(message.data.as_ref()).expect("a log line");
         line.message == "wall `gate` is gone"
@@ -196,7 +203,10 @@ fn each_wall_is_drawn_in_its_own_frame_with_its_material() {
             .iter()
             .map(|pair| (pair.key.as_str(), pair.value.as_str()))
             .collect();
-        assert_eq!(metadata, [("name", wall.id.as_str()), ("material", "steel")]);
+        assert_eq!(
+            metadata,
+            [("name", wall.id.as_str()), ("material", "steel")]
+        );
         assert!(wall.triangles[0].indices.len() >= 36);
         assert!(!wall.lines[0].points.is_empty());
     }
@@ -220,26 +230,25 @@ fn a_turning_wall_has_its_turn_in_every_frame() {
 #[test]
 fn meters_come_at_their_rate_with_units_in_their_names() {
     let directory = tempfile::tempdir().expect("a temporary directory can be made");
-    let bytes = recorded(directory.path(), 0.05);
+    let bytes = recorded(directory.path(), 0.15);
     let messages = messages(&bytes);
     let flow = of_topic(&messages, "/meters/outflow");
-    assert_eq!(flow.len(), 11);
+    assert_eq!(flow.len(), 31);
     assert!(values(flow[0]).contains_key("mass_flow_kg_per_s"));
     let load = of_topic(&messages, "/meters/cone-load");
-    let last = values(load[10]);
-    assert!(last["force_z_n"] < 0.0, "{last:?}");
+    // The first pellets reach the cone after about a tenth of a second.
+    let is_pressed = load
+        .iter()
+        .any(|message| values(message)["force_z_n"] < 0.0);
+    assert!(is_pressed);
 }
 
 #[test]
 fn spheres_are_left_out_above_their_count() {
     let directory = tempfile::tempdir().expect("a temporary directory can be made");
-    run_into(
-        directory.path(),
-        setup(60),
-        &plan(0.02),
-        59,
-        &mut |_| ControlFlow::Continue(()),
-    )
+    run_into(directory.path(), setup(60), &plan(0.02), 59, &mut |_| {
+        ControlFlow::Continue(())
+    })
     .expect("the hopper runs to its end");
     let bytes = fs::read(directory.path().join("run.mcap")).expect("a run leaves a recording");
     assert!(of_topic(&messages(&bytes), "/pellets/spheres").is_empty());

@@ -7,7 +7,7 @@ use crate::state::{ChunkContacts, Pellets, State};
 use crate::tally::ForceTally;
 use crate::wall::WallNow;
 use crate::wall_contacts;
-use crate::workspace::{ChunkList, Load, Workspace};
+use crate::workspace::{ChunkList, Load, Touch, Workspace};
 use std::ops::Range;
 
 /// One chunk's share of the stage: what it reads and what it writes.
@@ -19,6 +19,7 @@ pub(crate) struct ForceChunk<'a> {
     pub(crate) range: Range<usize>,
     pub(crate) list: &'a ChunkList,
     pub(crate) contacts: &'a mut ChunkContacts,
+    pub(crate) touches: &'a mut Vec<Touch>,
     pub(crate) loads: &'a mut [Load],
     pub(crate) tally: ForceTally,
 }
@@ -37,12 +38,14 @@ pub(crate) fn sum_loads(model: &Model, state: &mut State, workspace: &mut Worksp
     } = state;
     let time = *step as f64 * model.time_step().seconds;
     workspace.loads.resize(pellets.len(), Load::default());
+    workspace.touches.resize_with(contacts.len(), Vec::new);
     let mut loads = workspace.loads.as_mut_slice();
     let mut work = Vec::with_capacity(contacts.len());
-    for ((range, list), contacts) in chunk::ranges(pellets.len())
+    let chunks = chunk::ranges(pellets.len())
         .zip(&workspace.lists)
         .zip(contacts)
-    {
+        .zip(&mut workspace.touches);
+    for (((range, list), contacts), touches) in chunks {
         let (own, rest) = loads.split_at_mut(range.len());
         loads = rest;
         work.push(ForceChunk {
@@ -53,6 +56,7 @@ pub(crate) fn sum_loads(model: &Model, state: &mut State, workspace: &mut Worksp
             range,
             list,
             contacts,
+            touches,
             loads: own,
             tally: ForceTally::new(model.setup().walls.len(), books.contacts.max_force),
         });

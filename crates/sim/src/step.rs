@@ -38,14 +38,14 @@ fn stages(
     // Walls move: where each is now follows from the time alone.
     let time = state.step as f64 * model.time_step().seconds;
     profile.time(Stage::Walls, || {
-        prescribe_walls(model, time, &mut workspace.walls)
+        prescribe_walls(model, time, &mut workspace.walls);
     });
 
     // Neighbors, if a pellet may have come near a new one; then pellets also come and go.
     if neighbors::is_search_due(model, state) || inlet::is_any_due(model, state) {
         let kept = profile.time(Stage::Exchange, || exchange(model, state, &workspace.walls))?;
         profile.time(Stage::Search, || {
-            neighbors::search(model, state, workspace, &kept)
+            neighbors::search(model, state, workspace, &kept);
         });
         health::check_energy(model, state)?;
     }
@@ -75,6 +75,10 @@ fn enter(model: &Model, state: &mut State, contacts: ForceTally, motion: &Motion
     books.energy.kinetic = motion.kinetic;
     books.energy.potential = motion.potential;
     books.energy.elastic = contacts.elastic_energy;
+    if state.step == 0 {
+        // Points of a settled bed start with their springs loaded.
+        books.energy.carried_in += contacts.elastic_energy;
+    }
     books.energy.sliding = contacts.sliding_energy;
     books.energy.damped += time_step * contacts.dissipation;
     books.energy.sliding_work += time_step * contacts.sliding_power;

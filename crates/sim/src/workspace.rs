@@ -9,6 +9,8 @@ use crate::wall::WallNow;
 pub struct Workspace {
     /// Who might touch whom, chunk by chunk.
     pub(crate) lists: Vec<ChunkList>,
+    /// Pairs that touch in this step, chunk by chunk.
+    pub(crate) touches: Vec<Vec<Touch>>,
     /// What acts on each pellet in this step.
     pub(crate) loads: Vec<Load>,
     /// Where each wall is in this step.
@@ -28,6 +30,17 @@ pub(crate) struct ChunkList {
     pub(crate) partners: Vec<u32>,
     /// Walls near a pellet, by pellet.
     pub(crate) near_walls: Vec<NearWall>,
+}
+
+/// Two pellets that touch.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(crate) struct Touch {
+    /// Place of the first in its chunk.
+    pub(crate) local: u32,
+    /// Index of the second.
+    pub(crate) partner: u32,
+    /// Place of the pair in the chunk's list.
+    pub(crate) slot: u32,
 }
 
 /// A wall within reach of a pellet.

@@ -110,7 +110,11 @@ impl Default for ContactLaws {
 
 impl ContactLaws {
     /// Force of one contact over one step of `time_step` [s].
-    #[inline]
+    #[expect(
+        clippy::inline_always,
+        reason = "a call would pass contact and force through memory: a third of the step"
+    )]
+    #[inline(always)]
     pub fn force(
         &self,
         contact: &Contact,

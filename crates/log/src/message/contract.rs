@@ -66,7 +66,10 @@ fn the_color_scale_grows_lighter_all_the_way() {
 
 #[test]
 fn the_schema_of_a_meter_follows_its_names() {
-    let schema = series::schema("mass-flow", &[("mass_flow_kg_per_s", 0.0), ("mass_kg", 0.0)]);
+    let schema = series::schema(
+        "mass-flow",
+        &[("mass_flow_kg_per_s", 0.0), ("mass_kg", 0.0)],
+    );
     assert_eq!(schema.name, "pelletflow.MassFlow");
     assert_eq!(schema.encoding, "protobuf");
     let text = String::from_utf8_lossy(&schema.data);

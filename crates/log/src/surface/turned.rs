@@ -85,7 +85,7 @@ fn push_arc(
     outline: &mut Vec<[f64; 2]>,
 ) {
     // Coarser than a circle about the axis: a plate is thin, and its rim is hardly seen.
-    let pieces = (turn / 0.4).ceil().max(1.0) as usize;
+    let pieces = (turn / 0.8).ceil().max(1.0) as usize;
     for piece in 0..=pieces {
         let share = piece as f64 / pieces as f64;
         outline.push(at(center, heading + share * turn, radius));

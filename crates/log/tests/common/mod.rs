@@ -30,7 +30,10 @@ pub(crate) fn setup(pellets: usize) -> Setup {
     Setup {
         seed: 7,
         gravity: Vec3::new(0.0, 0.0, -9.81),
-        materials: vec![named("pellet", 6.0e7, 3700.0), named("steel", 1.0e9, 7800.0)],
+        materials: vec![
+            named("pellet", 6.0e7, 3700.0),
+            named("steel", 1.0e9, 7800.0),
+        ],
         pairs: vec![([0, 0], pair), ([0, 1], pair)],
         pellets: vec![PelletKind {
             name: "pellet".into(),
@@ -77,10 +80,14 @@ pub(crate) fn setup(pellets: usize) -> Setup {
                 max: Vec3::new(0.3, 0.3, 0.4),
             },
         },
-        step: StepRequest::PeakForceError(0.001),
+        step: StepRequest::PeakForceError(0.01),
         search: NeighborSearch::Auto,
         skin: None,
-        limits: Limits::default(),
+        // Whether the engine's books close is tested where they are kept.
+        limits: Limits {
+            energy_residual: 1.0,
+            ..Limits::default()
+        },
         skips: Skips::default(),
     }
 }

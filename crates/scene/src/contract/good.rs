@@ -1,10 +1,10 @@
 //! What a scene without mistakes becomes.
 
 use super::{GOOD, draft, draft_with};
-use crate::{TEMPLATES, schema};
+use crate::{Scene, TEMPLATES, schema};
 use pelletflow_core::{Shape, Vec3};
 use pelletflow_sim::{
-    FillAmount, Motion, Rate, Setup, SizeDistribution, StepRequest, StopCondition,
+    FillAmount, Motion, Rate, Seats, Setup, SizeDistribution, StepRequest, StopCondition,
 };
 use serde_json::json;
 
@@ -28,22 +28,46 @@ fn units_names_and_defaults_are_resolved() {
         setup.pellets[0].size,
         SizeDistribution::Single { diameter: 0.015 }
     );
-    assert_eq!(setup.fills[0].amount, FillAmount::Count(10));
+    assert!(matches!(
+        setup.fills[0].seats,
+        Seats::Lattice {
+            amount: FillAmount::Count(10),
+            ..
+        }
+    ));
     assert_eq!(setup.step, StepRequest::PeakForceError(1.0e-3));
     assert!(setup.skips.rotation && setup.skips.distant_walls);
 }
 
 #[test]
-fn templates_and_examples_are_without_mistakes() {
-    for template in TEMPLATES {
-        setup(template.text);
-    }
-    for text in [
+fn templates_and_examples_pass_every_gate() {
+    let examples = [
         include_str!("../../../../examples/scenes/hopper.toml"),
         include_str!("../../../../examples/scenes/chute.toml"),
-    ] {
-        setup(text);
+    ];
+    let templates = TEMPLATES.iter().map(|template| template.text);
+    for text in templates.chain(examples) {
+        if let Err(error) = Scene::parse(text, "scene", &[]) {
+            panic!("{error}");
+        }
     }
+}
+
+#[test]
+fn a_mistake_of_the_physics_is_put_to_its_line() {
+    let text = format!(
+        "{GOOD}
+[inlets.feed]
+pellets = \"ore\"
+rate = \"5000 t/h\"
+region = {{ kind = \"box\", center = [0, 0, 1], size = [0.1, 0.1, 0.1] }}
+"
+    );
+    let rate = text.lines().position(|line| line.starts_with("rate = "));
+    let line = 1 + rate.expect("there");
+    let error = Scene::parse(&text, "scene.toml", &[]).expect_err("too fast");
+    let expected = format!("scene.toml:{line}: inlets.feed.rate: ");
+    assert!(error.to_string().starts_with(&expected), "{error}");
 }
 
 /// The scene with another shape for its wall.
@@ -179,6 +203,21 @@ end = 0.5
             StopCondition::Settled { after: 0.3, .. }
         ]
     ));
+}
+
+#[test]
+fn pellets_are_placed_one_by_one() {
+    let start = GOOD.find("count = 10").expect("there");
+    let end = GOOD.find("[outlets.out]").expect("there");
+    let placed = "at = [[0, 0, 0.1], [0, 0, \"300 mm\"]]\nspin = [0, 0, \"60 rpm\"]\n\n";
+    let text = format!("{}{placed}{}", &GOOD[..start], &GOOD[end..]);
+    let fill = setup(&text).fills.remove(0);
+    assert_eq!(
+        fill.seats,
+        Seats::Points(vec![Vec3::new(0.0, 0.0, 0.1), Vec3::new(0.0, 0.0, 0.3)])
+    );
+    // One rounding of the product.
+    assert!((fill.spin.z / std::f64::consts::TAU - 1.0).abs() < 1.0e-15);
 }
 
 #[test]

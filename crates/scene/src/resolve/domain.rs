@@ -3,7 +3,7 @@
 use super::{Resolver, point};
 use crate::key_path::KeyPath;
 use pelletflow_core::{Bounds, Vec3};
-use pelletflow_sim::{Domain, Fill, Inlet, Outlet, Wall};
+use pelletflow_sim::{Domain, Fill, Inlet, Outlet, Seats, Wall};
 
 /// Margin of a chosen domain on every side, as a share of its longest side [-].
 const MARGIN: f64 = 0.5;
@@ -34,7 +34,7 @@ impl Resolver<'_> {
         }
         let fixed = fills
             .iter()
-            .map(|fill| fill.region.bounds())
+            .map(bounds_of)
             .chain(inlets.iter().map(|inlet| inlet.region.bounds()))
             .chain(outlets.iter().map(|outlet| outlet.region.bounds()));
         let end_time = self.spec.time.end.0;
@@ -57,6 +57,19 @@ impl Resolver<'_> {
             bounds.min.x, bounds.min.y, bounds.min.z, bounds.max.x, bounds.max.y, bounds.max.z
         ));
         Domain { bounds }
+    }
+}
+
+fn bounds_of(fill: &Fill) -> Bounds {
+    match &fill.seats {
+        Seats::Lattice { region, .. } => region.bounds(),
+        Seats::Points(points) => points.iter().fold(Bounds::nothing(), |bounds, &point| {
+            let point = Bounds {
+                min: point,
+                max: point,
+            };
+            bounds.merged(&point)
+        }),
     }
 }
 

@@ -1,13 +1,16 @@
 //! Fills, inlets, outlets and meters, and how many pellets they come to.
 
-use super::{Resolver, velocity};
+use super::{Resolver, point, vector, velocity};
 use crate::key_path::KeyPath;
 use crate::number::show;
-use crate::quantity::FeedRate;
+use crate::quantity::{FeedRate, TurnRate};
+use crate::spec::feed::FillSpec;
 use crate::spec::meter::MeterSpec;
-use pelletflow_core::{Bounds, Shape};
+use crate::spec::shape::ShapeSpec;
+use pelletflow_core::{Bounds, Shape, Vec3};
 use pelletflow_sim::{
-    Fill, FillAmount, Inlet, Meter, NamedMaterial, Outlet, PelletKind, Rate, SizeDistribution,
+    Fill, FillAmount, Inlet, Meter, NamedMaterial, Outlet, PelletKind, Rate, Seats,
+    SizeDistribution,
 };
 
 /// Most pellets of a scene; each takes about a kilobyte with its contacts [-].
@@ -23,30 +26,55 @@ impl Resolver<'_> {
             .iter()
             .map(|(name, fill)| {
                 let path = KeyPath::of(["fill", name]);
-                let amount = match (fill.count, fill.mass) {
-                    (Some(count), None) => FillAmount::Count(count),
-                    (None, Some(mass)) => FillAmount::Mass(mass.0),
-                    (count, _) => {
-                        self.findings.add(
-                            &path,
-                            if count.is_some() {
-                                "`count` and `mass` are both given; keep one"
-                            } else {
-                                "`count` or `mass` is missing; write for example `count = 1000` or `mass = \"50 kg\"`"
-                            },
-                        );
-                        FillAmount::Count(1)
-                    }
-                };
                 Fill {
                     name: name.to_owned(),
                     pellets: self.index(&spec.pellets, &fill.pellets, &path.key("pellets")),
-                    region: self.region(&fill.region, &path),
-                    amount,
+                    seats: self.seats(fill, &path),
                     velocity: velocity(fill.velocity),
+                    spin: fill.spin.map_or_else(Vec3::zeros, |spin| {
+                        vector(spin.map(|TurnRate(value)| value))
+                    }),
                 }
             })
             .collect()
+    }
+
+    fn seats(&mut self, fill: &FillSpec, path: &KeyPath) -> Seats {
+        if let Some(at) = &fill.at {
+            if fill.region.is_some() || fill.count.is_some() || fill.mass.is_some() {
+                self.findings.add(
+                    path,
+                    "`at` places every pellet by itself; leave out `region`, `count` and `mass`",
+                );
+            }
+            return Seats::Points(at.iter().map(|&center| point(center)).collect());
+        }
+        let Some(region) = &fill.region else {
+            self.findings.add(
+                path,
+                "`region` is missing; give one with a `count` or a `mass`, or centers such as `at = [[0, 0, 1]]`",
+            );
+            return Seats::Points(Vec::new());
+        };
+        let amount = match (fill.count, fill.mass) {
+            (Some(count), None) => FillAmount::Count(count),
+            (None, Some(mass)) => FillAmount::Mass(mass.0),
+            (count, _) => {
+                self.findings.add(
+                    path,
+                    if count.is_some() {
+                        "`count` and `mass` are both given; keep one"
+                    } else {
+                        "`count` or `mass` is missing; write for example `count = 1000` or `mass = \"50 kg\"`"
+                    },
+                );
+                FillAmount::Count(1)
+            }
+        };
+        Seats::Lattice {
+            region: self.region(region, path),
+            amount,
+        }
     }
 
     pub(super) fn inlets(&mut self) -> Vec<Inlet> {
@@ -105,7 +133,7 @@ impl Resolver<'_> {
     }
 
     /// A region in which pellets appear, which must end somewhere.
-    fn region(&mut self, spec: &crate::spec::shape::ShapeSpec, path: &KeyPath) -> Shape {
+    fn region(&mut self, spec: &ShapeSpec, path: &KeyPath) -> Shape {
         let path = path.key("region");
         let region = self.shape(spec, &path);
         if !region.bounds().is_finite() {
@@ -138,13 +166,18 @@ impl Resolver<'_> {
             Some(material.density * mean_volume(&kind.size))
         };
         for fill in fills {
-            let count = match fill.amount {
-                FillAmount::Count(count) => Some(count as f64),
-                FillAmount::Mass(mass) => mass_of(fill.pellets).map(|of_one| mass / of_one),
-            };
             let path = KeyPath::of(["fill", &fill.name]);
+            let count = match &fill.seats {
+                Seats::Points(points) => Some(points.len() as f64),
+                Seats::Lattice { region, amount } => {
+                    self.sites(region, pellets.get(fill.pellets), &path.key("region"));
+                    match *amount {
+                        FillAmount::Count(count) => Some(count as f64),
+                        FillAmount::Mass(mass) => mass_of(fill.pellets).map(|of_one| mass / of_one),
+                    }
+                }
+            };
             self.amount(count, &path, "fewer or larger pellets");
-            self.sites(&fill.region, pellets.get(fill.pellets), &path.key("region"));
         }
         for inlet in inlets {
             let seconds = inlet.end.min(end_time) - inlet.start;

@@ -1,25 +1,30 @@
 //! `[fill.NAME]`, `[inlets.NAME]` and `[outlets.NAME]`.
 
 use super::shape::ShapeSpec;
-use crate::quantity::{FeedRate, Mass, Moment, Velocity};
+use crate::quantity::{Coordinate, FeedRate, Mass, Moment, TurnRate, Velocity};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-/// Pellets there at the start, without overlap; give `count` or `mass`.
+/// Pellets there at the start: a `region` with a `count` or a `mass`, or their centers `at`.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct FillSpec {
     /// Name of the kind of pellets.
     pub(crate) pellets: String,
-    /// Where the pellets are put; each lies wholly inside.
-    pub(crate) region: ShapeSpec,
+    /// Where the pellets are put, without overlap and from the bottom up; each lies wholly inside.
+    pub(crate) region: Option<ShapeSpec>,
     /// How many [-].
     #[schemars(extend("minimum" = 1))]
     pub(crate) count: Option<usize>,
     /// At least this mass, to the next whole pellet [kg].
     pub(crate) mass: Option<Mass>,
+    /// Centers of the pellets, one by one [m]; in place of `region`.
+    #[schemars(extend("minItems" = 1))]
+    pub(crate) at: Option<Vec<[Coordinate; 3]>>,
     /// Velocity at the start [m/s]; at rest where none is given.
     pub(crate) velocity: Option<[Velocity; 3]>,
+    /// Spin at the start [rad/s]; none where none is given.
+    pub(crate) spin: Option<[TurnRate; 3]>,
 }
 
 /// A feeder: pellets appear at a rate, at random places of a region.

@@ -46,7 +46,7 @@ pub(crate) struct OutputSpec {
 #[serde(deny_unknown_fields, default)]
 pub(crate) struct LimitsSpec {
     /// Largest overlap over the smaller radius of a contact [-].
-    #[schemars(extend("maximum" = 1.0))]
+    #[schemars(extend("exclusiveMaximum" = 1.0))]
     pub(crate) overlap_ratio: Option<Share>,
     /// Largest residual of the energy ledger over the energy that went through it [-].
     pub(crate) energy_residual: Option<Share>,

@@ -1,0 +1,27 @@
+//! One step of a dense bed at rest: particle-steps per second on one and two threads.
+
+mod silo;
+
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+
+const PELLETS: usize = 10_000;
+const RADIUS: f64 = 0.15;
+/// Steps advanced at a time: enough to hold a fair share of neighbor searches.
+const STEPS: u64 = 100;
+
+fn settled_silo(criterion: &mut Criterion) {
+    let positions = silo::settled_positions(PELLETS, RADIUS);
+    let mut group = criterion.benchmark_group("settled-silo");
+    group.sample_size(20);
+    group.throughput(Throughput::Elements(PELLETS as u64 * STEPS));
+    for threads in [1, 2] {
+        let mut simulation = silo::from_positions(&positions, RADIUS, threads);
+        group.bench_function(format!("10k/{threads}-threads"), |bencher| {
+            bencher.iter(|| simulation.advance(STEPS).expect("the bed rests"));
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, settled_silo);
+criterion_main!(benches);

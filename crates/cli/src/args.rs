@@ -1,0 +1,155 @@
+//! What may stand on the command line.
+
+use clap::builder::PossibleValuesParser;
+use clap::{Args, Parser, Subcommand};
+use clap_complete::Shell;
+use pelletflow_scene::{Override, TEMPLATES};
+use std::path::PathBuf;
+
+const EXAMPLES: &str = "\
+Examples:
+  pelletflow new hopper                  write a scene to start from: hopper.toml
+  pelletflow check hopper.toml           find every mistake; show what a run will do
+  pelletflow run hopper.toml             run it; results go to out/hopper
+  pelletflow inspect out/hopper/run.mcap show what the recording holds
+
+Units: plain numbers in scenes and results are SI; scenes also take \"15 mm\", \"250 t/h\", \"60 MPa\", \"30 deg\".
+
+Exit codes:
+  0    done
+  2    bad input: the command line, the scene, a missing file
+  3    the physics failed, or an [expect] of the scene is not met
+  4    reading or writing failed
+  130  interrupted";
+
+/// Simulates flows of iron-ore pellets through hoppers and chutes.
+///
+/// A scene is a TOML file that tells materials, pellets, equipment and time. A run writes a recording
+/// that opens in Foxglove, Lichtblick and Rerun, and a summary in numbers.
+#[derive(Debug, Parser)]
+#[command(name = "pelletflow", version, about, after_help = EXAMPLES, subcommand_required = true, arg_required_else_help = true)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Run a scene; write its recording and its summary.
+    Run(RunArguments),
+    /// Find every mistake in a scene; show what a run will do.
+    Check(CheckArguments),
+    /// Print the JSON Schema of a scene, for editors.
+    #[command(after_help = "Example:
+  pelletflow schema > scene.schema.json
+  and as the first line of a scene, for editors that know Taplo:  #:schema ./scene.schema.json")]
+    Schema,
+    /// Write a commented scene to start from.
+    New(NewArguments),
+    /// Show what a recording holds.
+    Inspect(InspectArguments),
+    /// Print completions for a shell.
+    Completions(CompletionsArguments),
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Writes into the directory:
+  run.mcap      recording, for Foxglove, Lichtblick and Rerun
+  summary.json  the run in numbers, each key with its unit
+  scene.toml    the scene as it was run, with every --set in it
+
+Examples:
+  pelletflow run hopper.toml
+  pelletflow run hopper.toml -o out/wide --set walls.gate.opens_at=\"1 s\" --set fill.bed.count=2000
+  pelletflow run hopper.toml --json --quiet | jq .contacts.max_force_n
+
+Ctrl-C ends the run after the current step; recording and summary are then written as for a finished run.")]
+pub(crate) struct RunArguments {
+    /// Scene file.
+    pub(crate) scene: PathBuf,
+    /// Directory of the results [default: out/NAME, after the scene's name].
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+    /// Set a value of the scene; can be given more than once.
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub(crate) set: Vec<Override>,
+    /// Number of threads; all cores where it is left out. The result does not depend on it.
+    #[arg(long, value_name = "N", value_parser = thread_count)]
+    pub(crate) threads: Option<usize>,
+    /// Print the summary as JSON, and nothing else on standard output.
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Show no progress and no table.
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  pelletflow check hopper.toml
+  pelletflow check hopper.toml --set pellets.ore.diameter=\"12 mm\" --json")]
+pub(crate) struct CheckArguments {
+    /// Scene file.
+    pub(crate) scene: PathBuf,
+    /// Set a value of the scene; can be given more than once.
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub(crate) set: Vec<Override>,
+    /// Print JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  pelletflow new                       list the templates
+  pelletflow new hopper                write hopper.toml
+  pelletflow new chute -o plant.toml   write plant.toml
+  pelletflow new drop -o -             write to standard output")]
+pub(crate) struct NewArguments {
+    /// Template; all are listed where none is named.
+    #[arg(value_parser = PossibleValuesParser::new(TEMPLATES.iter().map(|template| template.name)))]
+    pub(crate) template: Option<String>,
+    /// File to write; never one that exists [default: TEMPLATE.toml].
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  pelletflow inspect out/hopper/run.mcap
+  pelletflow inspect out/hopper/run.mcap --json | jq '.channels[].topic'")]
+pub(crate) struct InspectArguments {
+    /// Recording.
+    pub(crate) recording: PathBuf,
+    /// Print JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  pelletflow completions bash > ~/.local/share/bash-completion/completions/pelletflow
+  pelletflow completions fish > ~/.config/fish/completions/pelletflow.fish")]
+pub(crate) struct CompletionsArguments {
+    /// Shell.
+    pub(crate) shell: Shell,
+}
+
+/// More threads than any computer of today has cores [-].
+const MOST_THREADS: usize = 1024;
+
+fn thread_count(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(0) => Err("a run needs a thread; leave --threads out for all cores".into()),
+        Ok(count) if count <= MOST_THREADS => Ok(count),
+        Ok(_) => Err(format!(
+            "expected at most {MOST_THREADS}; leave --threads out for all cores"
+        )),
+        Err(_) => Err("expected a number such as 4; leave --threads out for all cores".into()),
+    }
+}

@@ -1,0 +1,171 @@
+//! `pelletflow check`.
+
+use crate::args::CheckArguments;
+use crate::exit::{Exit, Failure};
+use crate::screen;
+use crate::table::{self, bytes, count, number, span};
+use pelletflow_scene::Scene;
+use pelletflow_sim::{Inlet, Rate, Simulation};
+use serde_json::{Value, json};
+
+/// Pellet steps per second and core: of a packed bed on an old computer, and of a loose flow on a new one [1/s].
+const SPEED: [f64; 2] = [1.0e6, 6.0e6];
+
+/// Memory per pellet with its contacts and neighbors, and of the program itself [B].
+const MEMORY_PER_PELLET: f64 = 1.0e3;
+const MEMORY_AT_REST: f64 = 3.0e7;
+
+/// Validates a scene and shows what a run will do.
+pub(crate) fn check(arguments: &CheckArguments) -> Result<Exit, Failure> {
+    let scene = Scene::read(&arguments.scene, &arguments.set)?;
+    // Placing the fills tells whether they fit.
+    let simulation = Simulation::new(scene.model.clone(), 0)
+        .map_err(|errors| Failure::from(scene.locate(&errors)))?;
+    let forecast = Forecast::new(&scene, &simulation);
+    if arguments.json {
+        screen::json(&forecast.json(&scene))?;
+    } else {
+        screen::result(&forecast.page(&scene))?;
+    }
+    Ok(Exit::Done)
+}
+
+/// What a run will do.
+struct Forecast {
+    filled: f64,
+    fed: f64,
+    steps: f64,
+    frames: f64,
+    threads: usize,
+    memory: f64,
+    /// At the most and at the least [s].
+    wall_time: [f64; 2],
+    skipped: Vec<[String; 2]>,
+}
+
+impl Forecast {
+    fn new(scene: &Scene, simulation: &Simulation) -> Self {
+        let end_time = scene.plan.end_time;
+        let filled = simulation.pellet_count() as f64;
+        let inlets = &scene.setup.inlets;
+        let fed: f64 = inlets.iter().map(|inlet| fed(scene, inlet)).sum();
+        let steps = (end_time / scene.model.time_step().seconds).ceil();
+        let threads = simulation.threads();
+        // As if none left: fed pellets are there for half of the time on average.
+        let particle_steps = steps * (filled + fed / 2.0);
+        Self {
+            filled,
+            fed,
+            steps,
+            frames: (end_time / scene.plan.frame_interval).floor() + 1.0,
+            threads,
+            memory: MEMORY_AT_REST + MEMORY_PER_PELLET * (filled + fed),
+            wall_time: SPEED.map(|speed| particle_steps / (speed * threads as f64)),
+            skipped: simulation
+                .skipped()
+                .into_iter()
+                .map(|skipped| [skipped.what.to_owned(), skipped.reason])
+                .collect(),
+        }
+    }
+
+    fn page(&self, scene: &Scene) -> String {
+        let step = scene.model.time_step();
+        let setup = &scene.setup;
+        let mut facts = vec![
+            ("pellets at the start".to_owned(), count(self.filled as u64)),
+            ("pellets fed at most".into(), count(self.fed as u64)),
+            (
+                "equipment".into(),
+                format!(
+                    "{} walls, {} inlets, {} outlets, {} meters",
+                    setup.walls.len(),
+                    setup.inlets.len(),
+                    setup.outlets.len(),
+                    setup.meters.len()
+                ),
+            ),
+            (
+                "simulated time".into(),
+                format!("{} s at most", number(scene.plan.end_time)),
+            ),
+            (
+                "time step".into(),
+                format!("{}: {}", span(step.seconds), step.reason),
+            ),
+            (
+                "fastest hit expected".into(),
+                format!("{} m/s", number(step.expected_speed)),
+            ),
+            ("steps".into(), count(self.steps as u64)),
+            ("frames".into(), count(self.frames as u64)),
+            ("threads".into(), self.threads.to_string()),
+            (
+                "memory".into(),
+                format!("about {}", bytes(self.memory as u64)),
+            ),
+            (
+                "run time".into(),
+                format!(
+                    "{} to {}, by a rule of thumb as if no pellet left",
+                    span(self.wall_time[1]),
+                    span(self.wall_time[0])
+                ),
+            ),
+        ];
+        for [what, reason] in &self.skipped {
+            facts.push((format!("will skip: {what}"), reason.clone()));
+        }
+        for note in &scene.notes {
+            let (what, choice) = note.split_once(": ").unwrap_or(("note", note));
+            facts.push((what.to_owned(), choice.to_owned()));
+        }
+        format!("{}: no mistakes\n\n{}", scene.title, table::facts(facts))
+    }
+
+    fn json(&self, scene: &Scene) -> Value {
+        let step = scene.model.time_step();
+        let bounds = &scene.setup.domain.bounds;
+        let skipped: Vec<Value> = self
+            .skipped
+            .iter()
+            .map(|[what, reason]| json!({ "what": what, "reason": reason }))
+            .collect();
+        json!({
+            "scene": scene.name,
+            "title": scene.title,
+            "scene_hash": scene.hash,
+            "bodies": { "filled": self.filled, "fed_at_most": self.fed.floor() },
+            "time": {
+                "end_s": scene.plan.end_time,
+                "step_s": step.seconds,
+                "step_reason": step.reason,
+                "steps": self.steps,
+                "expected_speed_m_per_s": step.expected_speed,
+            },
+            "frames": self.frames,
+            "threads": self.threads,
+            "expected": {
+                "memory_bytes": self.memory,
+                "wall_least_s": self.wall_time[1],
+                "wall_most_s": self.wall_time[0],
+            },
+            "domain": { "min_m": bounds.min.as_slice(), "max_m": bounds.max.as_slice() },
+            "skipped": skipped,
+            "notes": scene.notes,
+        })
+    }
+}
+
+/// Pellets that an inlet feeds in a whole run [-].
+fn fed(scene: &Scene, inlet: &Inlet) -> f64 {
+    let seconds = (inlet.end.min(scene.plan.end_time) - inlet.start).max(0.0);
+    match inlet.rate {
+        Rate::Count(rate) => rate * seconds,
+        Rate::Mass(rate) => {
+            let size = scene.setup.pellets[inlet.pellets].size;
+            let mean_diameter = f64::midpoint(size.min_diameter(), size.max_diameter());
+            rate * seconds / scene.model.mass(inlet.pellets, mean_diameter / 2.0)
+        }
+    }
+}

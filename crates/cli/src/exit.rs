@@ -1,0 +1,92 @@
+//! How a command ends.
+
+use pelletflow_log::{ReadError, RunError};
+use pelletflow_scene::{Mistakes, SceneError};
+use std::io;
+
+/// What the exit code says.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Exit {
+    /// Done.
+    Done = 0,
+    /// Bad input.
+    BadInput = 2,
+    /// The physics failed, or an expectation is not met.
+    Failed = 3,
+    /// Reading or writing failed.
+    InputOutput = 4,
+    /// Interrupted.
+    Interrupted = 130,
+}
+
+impl Exit {
+    pub(crate) fn code(self) -> u8 {
+        self as u8
+    }
+}
+
+/// A command that could not do its work.
+#[derive(Debug)]
+pub(crate) enum Failure {
+    /// What to say, and the exit code.
+    Message { exit: Exit, message: String },
+    /// Nobody reads the output any more, as after `| head`.
+    ClosedPipe,
+}
+
+impl Failure {
+    pub(crate) fn new(exit: Exit, message: impl Into<String>) -> Self {
+        Self::Message {
+            exit,
+            message: message.into(),
+        }
+    }
+}
+
+impl From<Mistakes> for Failure {
+    fn from(mistakes: Mistakes) -> Self {
+        let count = match mistakes.len() {
+            1 => String::new(),
+            count => format!("\n\n{count} mistakes"),
+        };
+        Self::new(Exit::BadInput, format!("{mistakes}{count}"))
+    }
+}
+
+impl From<SceneError> for Failure {
+    fn from(error: SceneError) -> Self {
+        match error {
+            SceneError::Invalid(mistakes) => mistakes.into(),
+            SceneError::Unreadable { ref source, .. } => {
+                let exit = match source.kind() {
+                    // The name is wrong, and not the disk.
+                    io::ErrorKind::NotFound
+                    | io::ErrorKind::IsADirectory
+                    | io::ErrorKind::NotADirectory => Exit::BadInput,
+                    _ => Exit::InputOutput,
+                };
+                Self::new(exit, error.to_string())
+            }
+        }
+    }
+}
+
+impl From<ReadError> for Failure {
+    fn from(error: ReadError) -> Self {
+        let exit = match error {
+            ReadError::Io { .. } => Exit::InputOutput,
+            _ => Exit::BadInput,
+        };
+        Self::new(exit, error.to_string())
+    }
+}
+
+impl From<RunError> for Failure {
+    fn from(error: RunError) -> Self {
+        let exit = match error {
+            RunError::Physics { .. } => Exit::Failed,
+            RunError::Output { .. } => Exit::InputOutput,
+        };
+        Self::new(exit, error.to_string())
+    }
+}
