@@ -55,8 +55,8 @@ def test_a_value_that_no_scene_can_hold_is_named_by_its_key(drop, value):
 
 
 def test_a_key_of_set_that_the_scene_does_not_know_is_a_mistake(drop_file):
-    with pytest.raises(pf.SceneError, match=r"time\.ende"):
-        pf.Simulation(drop_file, set={"time.ende": 1})
+    with pytest.raises(pf.SceneError, match=r"time\.finish"):
+        pf.Simulation(drop_file, set={"time.finish": 1})
 
 
 def test_a_lost_pellet_is_a_physics_error(leak):

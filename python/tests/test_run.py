@@ -43,7 +43,7 @@ def test_the_result_is_what_the_folder_holds(drop, tmp_path):
     assert channels(result.output / "run.mcap")["/pellets"] > 5
 
 
-def test_the_peak_force_of_a_drop_is_hertzs(drop, tmp_path):
+def test_a_drop_has_the_peak_force_of_hertz(drop, tmp_path):
     drop["pairs"]["pellet-steel"]["restitution"] = 1.0
     result = pf.run(drop, output=tmp_path)
     # F = k (5 m v² / (4 k))^(3/5) with k = 4/3 E* √R, E* = 153.74 MPa (pellet on steel).
@@ -61,6 +61,15 @@ def test_a_run_and_the_same_steps_by_hand_give_the_same_bits(drop, tmp_path):
     simulation.step(summary["time"]["steps"])
     assert simulation.state_hash == summary["state_hash"]
     assert simulation.time == summary["time"]["simulated_s"]
+
+
+def test_a_foreign_reader_finds_every_promise_of_a_recording_kept(tmp_path):
+    tests = Path(__file__).parent
+    chute = tests.parents[1] / "examples/scenes/chute.toml"
+    result = pf.run(chute, output=tmp_path, set={"time.end": "0.2 s"})
+    validator = [sys.executable, tests / "validate_recording.py", result.output / "run.mcap"]
+    done = subprocess.run(validator, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
 
 
 def test_set_reaches_the_run(drop_file, tmp_path):
