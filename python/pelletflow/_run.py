@@ -43,7 +43,7 @@ def run(
     *,
     output: str | os.PathLike[str] | None = None,
     threads: int | None = None,
-    set: Mapping[str, Any] | None = None,  # noqa: A002
+    set: Mapping[str, Any] | None = None,
     progress: Callable[[Progress], object] | None = None,
 ) -> RunResult:
     """Run a scene to its end and write its recording and summary.

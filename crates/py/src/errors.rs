@@ -1,6 +1,6 @@
 //! Errors as the exceptions of `pelletflow.errors`.
 
-use crate::scene::python_from;
+use crate::scene::{NAME_OF_DICTIONARY, python_from};
 use pelletflow_log::RunError;
 use pelletflow_scene::{Mistake, Mistakes, OverrideError, Place, SceneError};
 use pelletflow_sim::StepError;
@@ -35,6 +35,17 @@ pub(crate) fn from_mistakes(py: Python<'_>, mistakes: &Mistakes) -> PyErr {
 /// A key of `set` that is none, as `SceneError`.
 pub(crate) fn from_override(py: Python<'_>, error: &OverrideError) -> PyErr {
     scene_error(py, &error.to_string(), [])
+}
+
+/// A Python value that no scene can hold, as `SceneError`.
+pub(crate) fn from_value(py: Python<'_>, key: &str, message: &str) -> PyErr {
+    let mistake = Mistake {
+        file: NAME_OF_DICTIONARY.into(),
+        place: Place::Whole,
+        key: key.into(),
+        message: message.into(),
+    };
+    scene_error(py, &mistake.to_string(), [&mistake])
 }
 
 /// A run that did not end well, as `PhysicsError` or `OutputError`.

@@ -17,7 +17,7 @@ pub(crate) fn run<'py>(
     output: Option<PathBuf>,
     threads: Option<usize>,
     set: Option<&Bound<'py, PyMapping>>,
-    observer: Option<Py<PyAny>>,
+    observer: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<(Bound<'py, PyAny>, PathBuf)> {
     let py = scene.py();
     let scene = read(scene, set)?;
@@ -34,6 +34,7 @@ pub(crate) fn run<'py>(
         spheres_up_to: scene.output.spheres_up_to,
     };
 
+    let observer = observer.map(|observer| observer.clone().unbind());
     // What stopped the run from Python's side: Ctrl-C, or an exception of the observer.
     let mut stopped = None;
     let outcome = py.detach(|| {

@@ -2,15 +2,14 @@
 
 use crate::errors;
 use pelletflow_scene::{Override, Scene};
-use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyMapping, PyString};
+use pyo3::types::{PyBool, PyInt, PyMapping, PyString};
 use serde::Serialize;
 use serde_json::{Map, Number, Value};
 use std::path::PathBuf;
 
 /// Name of a scene that comes as a dictionary.
-const NAME_OF_DICTIONARY: &str = "scene";
+pub(crate) const NAME_OF_DICTIONARY: &str = "scene";
 
 /// Reads and validates a scene given as a path or a dictionary.
 pub(crate) fn read(
@@ -20,7 +19,7 @@ pub(crate) fn read(
     let py = scene.py();
     let overrides = overrides(py, set)?;
     let result = if let Ok(table) = scene.cast::<PyMapping>() {
-        let value = value_of(table.as_any(), "scene")?;
+        let value = value_of(table.as_any(), "")?;
         py.detach(|| Scene::from_value(&value, NAME_OF_DICTIONARY, &overrides))
     } else {
         let path: PathBuf = scene.extract()?;
@@ -67,8 +66,12 @@ fn value_of(value: &Bound<'_, PyAny>, key: &str) -> PyResult<Value> {
         let mut map = Map::new();
         for item in table.items()? {
             let (name, value): (String, Bound<'_, PyAny>) = item.extract()?;
-            let value = value_of(&value, &format!("{key}.{name}"))?;
-            map.insert(name, value);
+            let place = if key.is_empty() {
+                name.clone()
+            } else {
+                format!("{key}.{name}")
+            };
+            map.insert(name, value_of(&value, &place)?);
         }
         return Ok(Value::Object(map));
     }
@@ -77,10 +80,11 @@ fn value_of(value: &Bound<'_, PyAny>, key: &str) -> PyResult<Value> {
     }
     // Lists, tuples and arrays alike.
     let Ok(items) = value.try_iter() else {
-        return Err(PyTypeError::new_err(format!(
-            "`{key}` is of type {}; expected a number, a text, a truth value, a list or a dictionary",
-            value.get_type().name()?
-        )));
+        let message = format!(
+            "is {}; expected a finite number, a text, a truth value, a list or a dictionary",
+            value.repr()?
+        );
+        return Err(errors::from_value(value.py(), key, &message));
     };
     items
         .enumerate()
@@ -89,11 +93,8 @@ fn value_of(value: &Bound<'_, PyAny>, key: &str) -> PyResult<Value> {
         .map(Value::Array)
 }
 
-/// Python's and NumPy's numbers; whole ones stay whole.
+/// Python's and NumPy's finite numbers; whole ones stay whole.
 fn number_of(value: &Bound<'_, PyAny>) -> Option<Number> {
-    if value.is_instance_of::<PyFloat>() {
-        return Number::from_f64(value.extract().ok()?);
-    }
     if value.is_instance_of::<PyInt>() || value.hasattr("__index__").ok()? {
         return value.extract::<i64>().ok().map(Number::from);
     }

@@ -5,11 +5,12 @@ use crate::report::Report;
 use crate::venv::Venv;
 use crate::workspace::{cargo, root, target};
 use anyhow::{Result, ensure};
+use std::env;
 use std::fs;
 use std::process::Command;
 
-/// The scene of the short recording: small, and with each kind of thing that a recording holds.
-const RECORDED_SCENE: &str = "examples/scenes/bounce.toml";
+/// The template of the short recording: one that runs in a moment.
+const RECORDED_TEMPLATE: &str = "drop";
 
 /// Sets up and runs every test.
 pub(crate) fn run(report: &mut Report) -> Result<()> {
@@ -64,13 +65,14 @@ fn recording(venv: &Venv) -> Result<String> {
     if folder.exists() {
         fs::remove_dir_all(&folder)?;
     }
-    let program = format!("debug/pelletflow{}", std::env::consts::EXE_SUFFIX);
-    process::run(
-        Command::new(target().join(program))
-            .current_dir(root())
-            .args(["run", RECORDED_SCENE, "--output"])
-            .arg(&folder),
-    )?;
+    fs::create_dir_all(&folder)?;
+    let program = target().join(format!("debug/pelletflow{}", env::consts::EXE_SUFFIX));
+    let pelletflow = |arguments: &[&str]| {
+        process::run(Command::new(&program).current_dir(&folder).args(arguments))
+    };
+    let scene = format!("{RECORDED_TEMPLATE}.toml");
+    pelletflow(&["new", RECORDED_TEMPLATE])?;
+    pelletflow(&["run", &scene, "--output", "."])?;
     process::run(
         venv.tool("python")
             .arg(root().join("python/tests/validate_recording.py"))

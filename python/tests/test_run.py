@@ -1,0 +1,127 @@
+"""Whole runs."""
+
+import json
+import math
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pelletflow as pf
+import pytest
+from mcap.reader import make_reader
+
+ENDLESS = """
+import sys
+import pelletflow as pf
+scene, output, kind = sys.argv[1:]
+print("started", flush=True)
+try:
+    if kind == "run":
+        pf.run(scene, output=output, set={"time.end": 1000})
+    else:
+        pf.Simulation(scene).step(10**12)
+except KeyboardInterrupt:
+    print("interrupted", flush=True)
+"""
+
+
+def channels(recording: Path) -> dict[str, int]:
+    with recording.open("rb") as stream:
+        summary = make_reader(stream).get_summary()
+    counts = summary.statistics.channel_message_counts
+    return {channel.topic: counts.get(id, 0) for id, channel in summary.channels.items()}
+
+
+def test_the_result_is_what_the_folder_holds(drop, tmp_path):
+    result = pf.run(drop, output=tmp_path / "out")
+    assert result.output == tmp_path / "out"
+    written = json.loads((result.output / "summary.json").read_text(encoding="utf-8"))
+    assert result.summary == written
+    assert (result.output / "scene.toml").exists()
+    assert channels(result.output / "run.mcap")["/pellets"] > 5
+
+
+def test_a_drop_has_the_peak_force_of_hertz(drop, tmp_path):
+    drop["pairs"]["pellet-steel"]["restitution"] = 1.0
+    result = pf.run(drop, output=tmp_path)
+    # F = k (5 m v² / (4 k))^(3/5) with k = 4/3 E* √R, E* = 153.74 MPa (pellet on steel).
+    radius, mass = 7.5e-3, 3700 * 4 / 3 * math.pi * 7.5e-3**3
+    stiffness = 4 / 3 * 153.74e6 * math.sqrt(radius)
+    speed_squared = 2 * 9.81 * 0.1
+    expected = stiffness * (5 * mass * speed_squared / (4 * stiffness)) ** 0.6
+    # The step is chosen for 0.1 %; the weight of the pellet adds as much again.
+    assert result.summary["contacts"]["max_force_n"] == pytest.approx(expected, rel=3e-3)
+
+
+def test_a_run_and_the_same_steps_by_hand_give_the_same_bits(drop, tmp_path):
+    summary = pf.run(drop, output=tmp_path, threads=1).summary
+    simulation = pf.Simulation(drop)
+    simulation.step(summary["time"]["steps"])
+    assert simulation.state_hash == summary["state_hash"]
+    assert simulation.time == summary["time"]["simulated_s"]
+
+
+def test_a_foreign_reader_finds_every_promise_of_a_recording_kept(tmp_path):
+    tests = Path(__file__).parent
+    chute = tests.parents[1] / "examples/scenes/chute.toml"
+    result = pf.run(chute, output=tmp_path, set={"time.end": "0.2 s"})
+    validator = [sys.executable, tests / "validate_recording.py", result.output / "run.mcap"]
+    done = subprocess.run(validator, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_set_reaches_the_run(drop_file, tmp_path):
+    summary = pf.run(drop_file, output=tmp_path, set={"time.end": "50 ms"}).summary
+    assert summary["time"]["simulated_s"] == pytest.approx(0.05, rel=1e-3)
+    assert summary["scene"] == "drop"
+
+
+def test_the_output_goes_to_out_and_the_name_where_none_is_given(drop_file, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    result = pf.run(drop_file, set={"time.end": 0.01})
+    assert result.output == Path("out/drop")
+    assert (tmp_path / "out/drop/summary.json").exists()
+
+
+def test_progress_is_shown_in_order_of_time(box, tmp_path):
+    seen: list[pf.Progress] = []
+    summary = pf.run(box, output=tmp_path, progress=seen.append).summary
+    assert seen
+    assert [look.time for look in seen] == sorted(look.time for look in seen)
+    assert all(look.pellets == 60 and look.end_time == 0.2 for look in seen)
+    assert seen[-1].step <= summary["time"]["steps"]
+
+
+def test_an_exception_in_progress_stops_the_run_and_comes_through(box, tmp_path):
+    def refuse(progress: pf.Progress) -> None:
+        raise LookupError("enough")
+
+    with pytest.raises(LookupError, match="enough"):
+        pf.run(box, output=tmp_path, progress=refuse, set={"time.end": 100})
+    # The recording is finished all the same.
+    assert "/pellets" in channels(tmp_path / "run.mcap")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals are sent otherwise there")
+@pytest.mark.parametrize("kind", ["run", "step"])
+def test_ctrl_c_stops_within_a_second(kind, drop_file, tmp_path):
+    process = subprocess.Popen(
+        [sys.executable, "-c", ENDLESS, str(drop_file), str(tmp_path / "out"), kind],
+        stdout=subprocess.PIPE,
+        text=True,
+    )
+    assert process.stdout is not None
+    assert process.stdout.readline() == "started\n"
+    time.sleep(0.5)
+    sent = time.monotonic()
+    process.send_signal(signal.SIGINT)
+    output, _ = process.communicate(timeout=30)
+    waited = time.monotonic() - sent
+    assert output == "interrupted\n"
+    assert process.returncode == 0
+    # A look is taken every 20 to 100 ms; the rest is for a busy machine.
+    assert waited < 5.0
+    if kind == "run":
+        assert channels(tmp_path / "out/run.mcap")["/pellets"] > 0

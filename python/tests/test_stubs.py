@@ -1,0 +1,56 @@
+"""What the package shows of itself."""
+
+import ast
+import inspect
+from importlib.metadata import entry_points, version
+from pathlib import Path
+
+import pelletflow as pf
+from pelletflow import _pelletflow
+
+STUB = Path(pf.__file__).with_name("_pelletflow.pyi")
+
+
+def test_the_installed_wheel_is_what_is_tested():
+    source = Path(__file__).parents[1] / "pelletflow"
+    assert Path(pf.__file__).parent != source
+
+
+def test_the_wheel_carries_types_and_one_version():
+    assert STUB.exists()
+    assert STUB.with_name("py.typed").exists()
+    assert pf.__version__ == version("pelletflow")
+
+
+def test_the_stub_and_the_module_name_the_same_things():
+    tree = ast.parse(STUB.read_text(encoding="utf-8"))
+    functions = {node.name for node in tree.body if isinstance(node, ast.FunctionDef)}
+    classes = {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
+    module = {name for name in dir(_pelletflow) if not name.startswith("_")}
+    assert functions | set(classes) == module
+    members = {
+        node.name for node in classes["Simulation"].body if isinstance(node, ast.FunctionDef)
+    }
+    built = {name for name in vars(pf.Simulation) if not name.startswith("_")}
+    assert members - {"__new__"} == built
+
+
+def test_every_quantity_is_documented_with_its_unit():
+    for name, member in vars(pf.Simulation).items():
+        if name.startswith("_"):
+            continue
+        doc = inspect.getdoc(member)
+        assert doc, name
+        if name != "state_hash":
+            assert "[" in doc, f"{name} states no unit"
+
+
+def test_everything_public_is_listed_and_documented():
+    for name in pf.__all__:
+        if name != "__version__":
+            assert inspect.getdoc(getattr(pf, name)), name
+
+
+def test_the_command_is_an_entry_point():
+    (command,) = entry_points(group="console_scripts", name="pelletflow")
+    assert command.value == "pelletflow._command:main"
