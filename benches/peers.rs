@@ -80,7 +80,7 @@ fn run_pelletflow(positions: &[Vec3]) -> Measured {
 
 fn run_liggghts(folder: &Path) -> Measured {
     let output = Command::new("liggghts")
-        .args(["-in", "silo.in", "-screen", "none", "-log", "silo.log"])
+        .args(["-in", "silo.in", "-log", "silo.log"])
         .current_dir(folder)
         .output()
         .expect("liggghts starts");
