@@ -3,7 +3,7 @@
 use crate::report::Report;
 use crate::venv::Venv;
 use crate::workspace::{cargo, root};
-use crate::{dependencies, process, test};
+use crate::{dependencies, documentation, process, test};
 use anyhow::Result;
 use std::process::Command;
 
@@ -33,13 +33,7 @@ pub(crate) fn run(report: &mut Report) -> Result<()> {
             "warnings",
         ]))
     })?;
-    report.part("documentation", || {
-        passed(
-            cargo()
-                .args(["doc", "--workspace", "--no-deps"])
-                .env("RUSTDOCFLAGS", "-D warnings"),
-        )
-    })?;
+    report.part("documentation", documentation::check)?;
     report.part("Rust tests", test::rust_tests)?;
     test::wheel_and_recording(report, &venv)?;
     report.part("Python types", || {

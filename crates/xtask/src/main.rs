@@ -7,6 +7,7 @@
 
 mod check;
 mod dependencies;
+mod documentation;
 mod process;
 mod report;
 mod test;

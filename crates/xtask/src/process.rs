@@ -24,7 +24,7 @@ pub(crate) fn run(command: &mut Command) -> Result<()> {
     judge(command, status)
 }
 
-/// Runs a command to its end; passes on its standard output line by line and shows each line to `look`.
+/// Runs a command to its end and hands each line of its standard output to `look`.
 pub(crate) fn run_watched(command: &mut Command, mut look: impl FnMut(&str)) -> Result<()> {
     announce(command);
     let mut child = command
@@ -34,9 +34,7 @@ pub(crate) fn run_watched(command: &mut Command, mut look: impl FnMut(&str)) -> 
     let output = child.stdout.take().expect("standard output was piped");
     for line in BufReader::new(output).split(b'\n') {
         let line = line.context("cannot read the output of a command")?;
-        let line = String::from_utf8_lossy(&line);
-        println!("{line}");
-        look(&line);
+        look(&String::from_utf8_lossy(&line));
     }
     let status = child.wait().context("cannot wait for a command")?;
     judge(command, status)

@@ -34,7 +34,10 @@ pub(crate) fn rust_tests() -> Result<String> {
     let mut passed = 0;
     process::run_watched(
         cargo().args(["test", "--workspace", "--exclude", "pelletflow-py"]),
-        |line| passed += passed_in_rust(line).unwrap_or(0),
+        |line| {
+            println!("{line}");
+            passed += passed_in_rust(line).unwrap_or(0);
+        },
     )?;
     ensure!(passed > 0, "no Rust test ran");
     Ok(format!("{passed} passed"))
@@ -46,7 +49,10 @@ fn python_tests(venv: &Venv) -> Result<String> {
         venv.module("pytest")
             .args(["-p", "no:cacheprovider", "--import-mode=importlib"])
             .arg(root().join("python/tests")),
-        |line| passed = passed_in_python(line).unwrap_or(passed),
+        |line| {
+            println!("{line}");
+            passed = passed_in_python(line).unwrap_or(passed);
+        },
     )?;
     ensure!(passed > 0, "no Python test ran");
     Ok(format!("{passed} passed"))
