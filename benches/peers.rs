@@ -37,7 +37,11 @@ fn main() {
         .skip(1)
         .find_map(|argument| argument.parse().ok())
         .unwrap_or(5);
-    if Command::new("liggghts").arg("-help").output().is_err() {
+    if Command::new("liggghts")
+        .args(["-help", "-log", "none"])
+        .output()
+        .is_err()
+    {
         println!("liggghts is not on the path; on Debian: apt-get install liggghts");
         return;
     }

@@ -45,7 +45,7 @@ const CASES: &[(&str, &str, &str)] = &[
     ("diameter = \"15 mm\"", "diameter = \"15 kg\"", "`diameter` is a length; `15 kg` is a mass; write for example \"15 mm\""),
     ("at = [[0, 0, 1.0075]]", "region = { kind = \"box\", min = [0, 0, 0], max = [1, 1, 1] }\ncount = 1_000_000_000", "expected at most 5e6"),
     ("at = [[0, 0, 1.0075]]", "region = { kind = \"box\", center = [0, 0, 1], size = [0.1, 0.1, 0.1] }\ncount = 100_000", "scene.toml:"),
-    ("[output]", "[meters.load]\nkind = \"wall-force\"\nwall = \"flor\"\n[output]", "unknown wall `flor`; did you mean `floor`?"),
+    ("[output]", "[meters.load]\nkind = \"wall-force\"\nwall = \"flo0r\"\n[output]", "unknown wall `flo0r`; did you mean `floor`?"),
     ("schema_version = 1\n", "", "`schema_version` is missing; write `schema_version = 1`"),
     ("schema_version = 1\n", "schema_version = 7\n", "`schema_version` is 7; expected 1"),
     ("schema_version = 1\n", "schema version\n", "scene.toml:7:8: this is not TOML"),

@@ -2,16 +2,18 @@
 //!
 //! SI units throughout, always `f64`. This crate knows no threads, files or clocks.
 
+pub mod bounds;
 pub mod contact;
 pub mod material;
 pub mod pose;
 pub mod shape;
 
+pub use bounds::Bounds;
 pub use contact::{Contact, ContactForce, ContactHistory, ContactLaws};
 pub use material::{Material, MaterialPair, PairProperties};
 pub use nalgebra::{UnitQuaternion, UnitVector3};
 pub use pose::Pose;
-pub use shape::{Bounds, Profile, Shape, ShapeError, Surface};
+pub use shape::{Profile, Shape, ShapeError, Surface};
 
 /// A point, a direction or a vector in space; the unit is that of its use.
 pub type Vec3 = nalgebra::Vector3<f64>;

@@ -64,7 +64,7 @@ impl ElasticImpact {
 mod tests {
     use super::*;
 
-    /// The paper's pellet on steel: D 15 mm, `E*` 153.74 MPa.
+    /// The paper's pellet on steel: D 15 mm and an effective modulus 153.74e6 Pa.
     fn papers_pellet(density: f64, speed: f64) -> ElasticImpact {
         let radius = 7.5e-3_f64;
         ElasticImpact {

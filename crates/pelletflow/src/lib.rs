@@ -14,7 +14,7 @@
 //!     effective_mass: pellet.density * 4.0 / 3.0 * std::f64::consts::PI * 7.5e-3_f64.powi(3),
 //!     speed: 3.0,
 //! };
-//! assert_eq!(impact.peak_force().round(), 164.0);
+//! assert_eq!(impact.peak_force().round(), 166.0);
 //! ```
 
 pub use pelletflow_broadphase as broadphase;

@@ -35,7 +35,7 @@ pub(crate) fn run(report: &mut Report) -> Result<()> {
     })?;
     report.part("documentation", documentation::check)?;
     report.part("Rust tests", test::rust_tests)?;
-    test::wheel_and_recording(report, &venv)?;
+    test::wheel_and_recordings(report, &venv)?;
     report.part("Python types", || {
         process::run(mypy(&venv).args(["--package", "pelletflow"]))?;
         passed(venv.module("mypy.stubtest").args(["pelletflow"]))

@@ -23,7 +23,7 @@ use std::process::ExitCode;
 #[derive(Debug, Parser)]
 #[command(name = "cargo xtask", bin_name = "cargo xtask")]
 enum Command {
-    /// Sets up and runs every test: Rust, the Python wheel, and a recording; needs only Rust and Python 3.
+    /// Sets up and runs every test: Rust, the Python wheel, and the example scenes with their recordings; needs only Rust and Python 3.
     Test,
     /// Runs the whole gate: format, spelling, dependencies, lints, documentation, every test, Python types.
     Check,

@@ -5,28 +5,24 @@ use crate::report::Report;
 use crate::venv::Venv;
 use crate::workspace::{cargo, root, target};
 use anyhow::{Result, ensure};
-use std::env;
 use std::fs;
-use std::process::Command;
-
-/// The template of the short recording: one that runs in a moment.
-const RECORDED_TEMPLATE: &str = "drop";
+use std::path::PathBuf;
 
 /// Sets up and runs every test.
 pub(crate) fn run(report: &mut Report) -> Result<()> {
     report.part("Rust tests", rust_tests)?;
     let venv = Venv::with(&["requirements-test.txt"])?;
-    wheel_and_recording(report, &venv)
+    wheel_and_recordings(report, &venv)
 }
 
-/// The tests that need Python: of the wheel, and of a recording by an independent reader.
-pub(crate) fn wheel_and_recording(report: &mut Report, venv: &Venv) -> Result<()> {
+/// The tests that need Python: of the wheel, and of recordings by independent readers.
+pub(crate) fn wheel_and_recordings(report: &mut Report, venv: &Venv) -> Result<()> {
     report.part("wheel", || {
         venv.install_wheel()?;
         Ok("built and installed".to_owned())
     })?;
     report.part("Python tests", || python_tests(venv))?;
-    report.part("recording", || recording(venv))
+    report.part("example scenes", || recordings(venv))
 }
 
 /// Runs the tests of all crates but the Python module, which only an interpreter can load.
@@ -58,33 +54,46 @@ fn python_tests(venv: &Venv) -> Result<String> {
     Ok(format!("{passed} passed"))
 }
 
-/// Records a short run and has a reader of its own check the file.
-fn recording(venv: &Venv) -> Result<String> {
-    // The same packages as in the tests, so that nothing is built anew.
-    process::run(cargo().args(["build", "--workspace", "--bins"]).args([
-        "--exclude",
-        "pelletflow-py",
-        "--exclude",
-        "xtask",
-    ]))?;
-    let folder = target().join("recording");
+/// Runs the example scenes as a user does and has independent readers check what they record.
+fn recordings(venv: &Venv) -> Result<String> {
+    let folder = target().join("recordings");
     if folder.exists() {
         fs::remove_dir_all(&folder)?;
     }
-    fs::create_dir_all(&folder)?;
-    let program = target().join(format!("debug/pelletflow{}", env::consts::EXE_SUFFIX));
-    let pelletflow = |arguments: &[&str]| {
-        process::run(Command::new(&program).current_dir(&folder).args(arguments))
-    };
-    let scene = format!("{RECORDED_TEMPLATE}.toml");
-    pelletflow(&["new", RECORDED_TEMPLATE])?;
-    pelletflow(&["run", &scene, "--output", "."])?;
-    process::run(
-        venv.tool("python")
-            .arg(root().join("python/tests/validate_recording.py"))
-            .arg(folder.join("run.mcap")),
-    )?;
-    Ok("written and validated".to_owned())
+    let scenes = example_scenes()?;
+    for scene in &scenes {
+        let output = folder.join(scene.file_stem().unwrap_or_default());
+        process::run(
+            cargo()
+                .args(["run", "--release", "--", "run"])
+                .arg(scene)
+                .arg("--output")
+                .arg(&output),
+        )?;
+        process::run(
+            venv.tool("python")
+                .arg(root().join("python/tests/validate_recording.py"))
+                .arg(output.join("run.mcap")),
+        )?;
+    }
+    ensure!(!scenes.is_empty(), "there is no example scene");
+    Ok(format!("{} written and validated", scenes.len()))
+}
+
+/// The scenes of `examples/scenes`, by name.
+fn example_scenes() -> Result<Vec<PathBuf>> {
+    let mut scenes = Vec::new();
+    for entry in fs::read_dir(root().join("examples/scenes"))? {
+        let path = entry?.path();
+        if path
+            .extension()
+            .is_some_and(|extension| extension == "toml")
+        {
+            scenes.push(path);
+        }
+    }
+    scenes.sort();
+    Ok(scenes)
 }
 
 /// `N` of `test result: ok. N passed; ...`.

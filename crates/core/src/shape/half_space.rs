@@ -1,7 +1,7 @@
 //! A half-space: everything behind a plane (the paper's equation 4).
 
-use super::{Bounds, Surface};
-use crate::Vec3;
+use super::Surface;
+use crate::{Bounds, Vec3};
 use nalgebra::UnitVector3;
 
 pub(super) fn surface(on_plane: Vec3, normal: UnitVector3<f64>, point: Vec3) -> Surface {

@@ -14,7 +14,7 @@ mod sphere;
 
 pub use revolution::Profile;
 
-use crate::Vec3;
+use crate::{Bounds, Vec3};
 use nalgebra::{UnitQuaternion, UnitVector3};
 use serde::{Deserialize, Serialize};
 
@@ -104,15 +104,6 @@ pub struct Surface {
     /// Mean curvature of the surface at its point nearest to the query, positive where the solid
     /// bulges and negative where it is hollow [1/m]. A sharp edge counts as flat: its true radius is unknown.
     pub mean_curvature: f64,
-}
-
-/// An axis-aligned box; infinite where the shape is.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Bounds {
-    /// Lowest corner [m].
-    pub min: Vec3,
-    /// Highest corner [m].
-    pub max: Vec3,
 }
 
 /// A shape that cannot be.
@@ -291,85 +282,6 @@ impl Shape {
         Self::Rotated {
             by,
             of: Box::new(self),
-        }
-    }
-}
-
-impl Bounds {
-    fn about_origin(half_sides: Vec3) -> Self {
-        Self {
-            min: -half_sides,
-            max: half_sides,
-        }
-    }
-
-    /// All of space.
-    pub fn everything() -> Self {
-        Self {
-            min: Vec3::repeat(f64::NEG_INFINITY),
-            max: Vec3::repeat(f64::INFINITY),
-        }
-    }
-
-    /// A box that holds no point.
-    pub fn nothing() -> Self {
-        Self {
-            min: Vec3::repeat(f64::INFINITY),
-            max: Vec3::repeat(f64::NEG_INFINITY),
-        }
-    }
-
-    /// The smallest box that holds both.
-    #[must_use]
-    pub fn merged(&self, other: &Self) -> Self {
-        Self {
-            min: self.min.inf(&other.min),
-            max: self.max.sup(&other.max),
-        }
-    }
-
-    /// The part that both hold.
-    #[must_use]
-    pub fn common(&self, other: &Self) -> Self {
-        Self {
-            min: self.min.sup(&other.min),
-            max: self.max.inf(&other.max),
-        }
-    }
-
-    /// The box grown on every side by a margin [m].
-    #[must_use]
-    pub fn grown(&self, margin: f64) -> Self {
-        Self {
-            min: self.min.add_scalar(-margin),
-            max: self.max.add_scalar(margin),
-        }
-    }
-
-    /// Whether a point is inside.
-    pub fn contains(&self, point: Vec3) -> bool {
-        (0..3).all(|axis| self.min[axis] <= point[axis] && point[axis] <= self.max[axis])
-    }
-
-    /// Whether every side is finite.
-    pub fn is_finite(&self) -> bool {
-        self.min
-            .iter()
-            .chain(self.max.iter())
-            .all(|value| value.is_finite())
-    }
-
-    /// A box about this one after a turn about the origin; everything where a side is infinite.
-    #[must_use]
-    pub fn rotated(&self, by: &UnitQuaternion<f64>) -> Self {
-        if !self.is_finite() {
-            return Self::everything();
-        }
-        let center = by * ((self.min + self.max) / 2.0);
-        let half_sides = by.to_rotation_matrix().matrix().abs() * ((self.max - self.min) / 2.0);
-        Self {
-            min: center - half_sides,
-            max: center + half_sides,
         }
     }
 }

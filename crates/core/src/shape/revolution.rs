@@ -1,7 +1,7 @@
 //! Surfaces of revolution: a profile in the half-plane (radius, z), turned about the z axis.
 
-use super::{Bounds, ShapeError, Surface};
-use crate::Vec3;
+use super::{ShapeError, Surface};
+use crate::{Bounds, Vec3};
 use serde::{Deserialize, Serialize};
 
 /// The cross-section of a body of revolution, as corners `[radius, z]` [m].
