@@ -8,6 +8,8 @@ from typing import Any, final
 import numpy as np
 import numpy.typing as npt
 
+__all__ = ["Simulation", "__version__", "command", "run"]
+
 __version__: str
 
 def run(
