@@ -3,29 +3,16 @@
 /// Red, green and blue in linear light, 0 to 1.
 pub(crate) type Light = [f64; 3];
 
-/// Viridis (van der Walt and Smith 2015) from its first ninth on, in even steps, as a screen shows it.
-///
-/// The darkest ninth is left out: pellets at rest would swallow their own shading.
-const SCALE: [[f64; 3]; 9] = [
-    [0.2814, 0.1558, 0.4692],
-    [0.2450, 0.2877, 0.5373],
-    [0.1906, 0.4071, 0.5561],
-    [0.1476, 0.5117, 0.5570],
-    [0.1197, 0.6185, 0.5363],
-    [0.2080, 0.7187, 0.4729],
-    [0.4310, 0.8085, 0.3465],
-    [0.7099, 0.8688, 0.1693],
-    [0.9932, 0.9062, 0.1439],
-];
+/// Where the scale begins: pellets at rest would swallow their own shading in the darkest ninth of Viridis.
+const DARKEST: f64 = 1.0 / 9.0;
 
 /// Color of a share of the scale.
 pub(crate) fn on_scale(share: f64) -> Light {
-    let place = share.clamp(0.0, 1.0) * (SCALE.len() - 1) as f64;
-    let index = (place as usize).min(SCALE.len() - 2);
-    let rest = place - index as f64;
-    [0, 1, 2].map(|channel| {
-        to_linear(SCALE[index][channel] * (1.0 - rest) + SCALE[index + 1][channel] * rest)
-    })
+    let place = DARKEST + (1.0 - DARKEST) * share.clamp(0.0, 1.0);
+    colorous::VIRIDIS
+        .eval_continuous(place)
+        .into_array()
+        .map(|channel| to_linear(f64::from(channel) / 255.0))
 }
 
 /// A wall's surface, and where it is cut.
