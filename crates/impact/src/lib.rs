@@ -11,6 +11,8 @@ pub mod fit;
 mod head_on;
 pub mod impact;
 pub mod oblique;
+pub mod safe_speed;
+pub mod strength;
 
 pub use damping::Damping;
 pub use elastic::ElasticImpact;
@@ -18,3 +20,5 @@ pub use error::ImpactError;
 pub use fit::{BellFit, LogisticFit, SineFit};
 pub use impact::{Impact, Sample};
 pub use oblique::{Approach, ObliqueSample, Rebound, Slip};
+pub use safe_speed::SafeSpeed;
+pub use strength::{Interval, Scatter, Strength};
