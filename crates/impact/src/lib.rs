@@ -4,6 +4,7 @@
 //! from. [`Impact`] is any hit in full: damped or viscoelastic, head on or oblique, with its force over time and the
 //! curves fitted to it. [`Strength`] and [`SafeSpeed`] turn a crushing strength into an arrival speed.
 
+pub mod arrival;
 pub mod damping;
 pub mod elastic;
 mod error;
@@ -14,6 +15,7 @@ pub mod oblique;
 pub mod safe_speed;
 pub mod strength;
 
+pub use arrival::Arrival;
 pub use damping::Damping;
 pub use elastic::ElasticImpact;
 pub use error::ImpactError;
