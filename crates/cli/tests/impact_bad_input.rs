@@ -52,6 +52,7 @@ fn impossible_hits_are_bad_input() {
             call.error
         );
         assert_eq!(call.code, 2, "{arguments:?}");
+        assert_eq!(call.output, "", "{arguments:?}");
         assert!(!call.error.contains("panicked"), "{}", call.error);
     }
 }
@@ -106,6 +107,7 @@ fn materials_that_are_not_there_are_bad_input() {
             call.error
         );
         assert_eq!(call.code, 2, "{arguments:?}");
+        assert_eq!(call.output, "", "{arguments:?}");
     }
 }
 
