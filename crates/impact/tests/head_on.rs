@@ -115,6 +115,17 @@ fn clamped_damping_gives_the_restitution_asked_for_at_any_speed() {
 }
 
 #[test]
+fn very_heavy_damping_makes_the_peak_force_its_own() {
+    let share = |restitution| {
+        let hit = papers_pellet(5.0);
+        solve(&hit, Damping::Restitution(restitution)).peak_force / hit.peak_force()
+    };
+    assert!(share(0.5) < 0.75);
+    // The damper's force at first touch, at e = 0.1, as the documentation warns.
+    assert!((share(0.1) - 1.24).abs() < 0.01, "{}", share(0.1));
+}
+
+#[test]
 fn the_greatest_approach_of_a_damped_hit_is_its_closed_form() {
     for ratio in [0.034_265, 0.255_276, 0.9, 1.0, 1.5] {
         let hit = papers_pellet(3.0);

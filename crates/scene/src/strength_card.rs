@@ -4,7 +4,7 @@ use crate::draft::as_value;
 use crate::key_path::KeyPath;
 use crate::mistakes::{Findings, Mistakes};
 use crate::schema::schema_for;
-use crate::source::Source;
+use crate::source::{Source, whole};
 use crate::spec::strength_card::{DistributionSpec, StrengthCardSpec};
 use crate::walk::walk;
 use pelletflow_impact::{Scatter, Strength};
@@ -60,6 +60,10 @@ impl StrengthCard {
     ///
     /// The mistakes found in it.
     pub fn parse(text: &str, label: &str) -> Result<Self, Mistakes> {
+        if text.trim().is_empty() {
+            let message = "the strength card is empty; `pelletflow safe-speed --help` shows one";
+            return Err(whole(label, message.into()));
+        }
         let source = Source::new(label, text)?;
         let mut value = as_value(source.document().clone().into_mut());
         let mut findings = walk(&schema_for::<StrengthCardSpec>(), &mut value);
@@ -152,6 +156,7 @@ sample_size = 60
     #[test]
     fn mistakes_in_a_card_are_told_with_line_and_cure() {
         for (good, bad, expected) in [
+            (CARD, "", "card.toml: the strength card is empty"),
             (
                 "2.45 kN",
                 "2.45 kg",
