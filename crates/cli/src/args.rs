@@ -1,9 +1,16 @@
 //! What may stand on the command line.
 
+pub(crate) mod hit;
+pub(crate) mod impact;
+pub(crate) mod quantity;
+pub(crate) mod safe_speed;
+
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
+use impact::ImpactArguments;
 use pelletflow_scene::{Override, TEMPLATES};
+use safe_speed::{MaterialsArguments, SafeSpeedArguments};
 use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
@@ -12,6 +19,8 @@ Examples:
   pelletflow check hopper.toml           find every mistake; show what a run will do
   pelletflow run hopper.toml             run it; results go to out/hopper
   pelletflow inspect out/hopper/run.mcap show what the recording holds
+  pelletflow impact --figure 2           follow one hit, from 1 to 8 m/s, as in the paper
+  pelletflow safe-speed --pellet fired-pellet --strength 2kN   tell how fast pellets may arrive
 
 Units: plain numbers in scenes and results are SI; scenes also take \"15 mm\", \"250 t/h\", \"60 MPa\", \"30 deg\".
 
@@ -48,6 +57,12 @@ pub(crate) enum Command {
     New(NewArguments),
     /// Show what a recording holds.
     Inspect(InspectArguments),
+    /// Follow one hit from first touch to release: force, time, pressure and the curves fitted to them.
+    Impact(Box<ImpactArguments>),
+    /// Tell how fast pellets may arrive before a share of them breaks.
+    SafeSpeed(Box<SafeSpeedArguments>),
+    /// List the named materials with their sources.
+    Materials(MaterialsArguments),
     /// Print completions for a shell.
     Completions(CompletionsArguments),
 }

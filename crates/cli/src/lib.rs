@@ -31,6 +31,9 @@ pub fn main_from(args: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Schema => commands::schema::schema(),
         Command::New(new) => commands::new::new(new),
         Command::Inspect(inspect) => commands::inspect::inspect(inspect),
+        Command::Impact(impact) => commands::impact::impact(impact),
+        Command::SafeSpeed(safe_speed) => commands::safe_speed::safe_speed(safe_speed),
+        Command::Materials(materials) => commands::materials::materials(materials),
         Command::Completions(completions) => commands::completions::completions(completions),
     };
     match outcome {

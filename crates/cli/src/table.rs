@@ -58,6 +58,15 @@ pub(crate) fn number(value: f64) -> String {
     format!("{value:.*}", usize::try_from(decimals).unwrap_or(0))
 }
 
+/// A number that somebody chose, as it was written: four significant digits at most.
+pub(crate) fn chosen(value: f64) -> String {
+    let text = number(value);
+    if text.contains('e') || !text.contains('.') {
+        return text;
+    }
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
 /// A span of time as people say it.
 pub(crate) fn span(seconds: f64) -> String {
     if seconds < 1.0e-3 {
@@ -96,6 +105,9 @@ mod tests {
         assert_eq!(number(32.692), "32.69");
         assert_eq!(number(0.006_538_4), "0.006538");
         assert_eq!(number(1.25e-5), "1.250e-5");
+        assert_eq!(chosen(15.0), "15");
+        assert_eq!(chosen(0.45), "0.45");
+        assert_eq!(chosen(1200.0), "1200");
         assert_eq!(count(0), "0");
         assert_eq!(count(5000), "5,000");
         assert_eq!(count(1_234_567), "1,234,567");

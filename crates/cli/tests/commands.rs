@@ -24,7 +24,17 @@ fn help_teaches_with_examples_units_and_exit_codes() {
     ] {
         assert!(help.output.contains(part), "{part}");
     }
-    for command in ["run", "check", "schema", "new", "inspect", "completions"] {
+    for command in [
+        "run",
+        "check",
+        "schema",
+        "new",
+        "inspect",
+        "impact",
+        "safe-speed",
+        "materials",
+        "completions",
+    ] {
         let help = call(directory.path(), &[command, "--help"]);
         assert_eq!(help.code, 0);
         assert!(help.output.contains("Example"), "{command}");

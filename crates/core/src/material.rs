@@ -1,5 +1,7 @@
 //! Materials, and the effective values of two in contact, computed once per pair.
 
+pub mod library;
+
 use crate::contact::hertz;
 use serde::{Deserialize, Serialize};
 

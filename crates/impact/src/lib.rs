@@ -1,7 +1,26 @@
-//! One impact from first touch to release, in closed form.
+//! One impact from first touch to release, and the speed that pellets withstand.
 //!
-//! The oracle of the stepper, and what the time step is chosen from.
+//! [`ElasticImpact`] is Hertz's impact in closed form: the oracle of the stepper, and what the time step is chosen
+//! from. [`Impact`] is any hit in full: damped or viscoelastic, head on or oblique, with its force over time and the
+//! curves fitted to it. [`Strength`] and [`SafeSpeed`] turn a crushing strength into an arrival speed.
 
+pub mod arrival;
+pub mod damping;
 pub mod elastic;
+mod error;
+pub mod fit;
+mod head_on;
+pub mod impact;
+pub mod oblique;
+pub mod safe_speed;
+pub mod strength;
 
+pub use arrival::Arrival;
+pub use damping::Damping;
 pub use elastic::ElasticImpact;
+pub use error::ImpactError;
+pub use fit::{BellFit, LogisticFit, SineFit};
+pub use impact::{Impact, Sample};
+pub use oblique::{Approach, ObliqueSample, Rebound, Slip};
+pub use safe_speed::SafeSpeed;
+pub use strength::{Interval, Scatter, Strength};

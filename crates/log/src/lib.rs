@@ -11,6 +11,7 @@ mod inspect;
 mod layout;
 mod message;
 mod output;
+pub mod plot;
 mod recording;
 mod records;
 mod run;
@@ -20,6 +21,7 @@ pub mod surface;
 pub use error::{ReadError, RunError};
 pub use frames::{FrameRecord, Frames, PelletRecord, read_attachment, read_frames};
 pub use inspect::{AttachmentInspection, ChannelInspection, Inspection, inspect};
+pub use plot::{Axis, Chart, ChartError, Scale, Series, SeriesStyle};
 pub use run::{Progress, RunRequest, run};
 pub use summary::{
     BodySummary, ContactSummary, Ended, EnergySummary, MassSummary, MeterSummary,

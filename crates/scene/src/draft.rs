@@ -83,7 +83,8 @@ fn with_overrides(
     }
 }
 
-fn as_value(document: toml_edit::DocumentMut) -> Value {
+/// A document as one value.
+pub(crate) fn as_value(document: toml_edit::DocumentMut) -> Value {
     document
         .into_item()
         .into_value()

@@ -8,6 +8,7 @@
 mod draft;
 mod expect;
 mod key_path;
+mod measure;
 mod mistakes;
 mod named;
 mod number;
@@ -18,18 +19,23 @@ mod scene;
 mod schema;
 mod source;
 mod spec;
+mod strength_card;
 mod suggest;
 mod template;
 mod units;
 mod walk;
 
 pub use expect::{ExpectationOutcome, Expectations};
+pub use measure::{MeasureError, measure};
 pub use mistakes::{Mistake, Mistakes, Place, SceneError};
 pub use overrides::{Override, OverrideError};
 pub use resolve::{OutputOptions, Strength};
 pub use scene::Scene;
 pub use schema::schema;
+pub use strength_card::{StrengthCard, StrengthCardError};
+pub use suggest::instead;
 pub use template::{TEMPLATES, Template};
+pub use units::Kind;
 
 #[cfg(test)]
 mod contract;

@@ -1,21 +1,24 @@
 //! The JSON Schema of a scene, made from the types that read it.
 
 use crate::spec::SceneSpec;
-use schemars::Schema;
 use schemars::generate::SchemaSettings;
 use schemars::transform::transform_subschemas;
+use schemars::{JsonSchema, Schema};
 use serde_json::Value;
 use std::sync::LazyLock;
 
 /// The schema, made once: it checks every scene.
-pub(crate) static SCHEMA: LazyLock<Value> = LazyLock::new(|| {
+pub(crate) static SCHEMA: LazyLock<Value> = LazyLock::new(schema_for::<SceneSpec>);
+
+/// The schema of the types that read a file.
+pub(crate) fn schema_for<Spec: JsonSchema>() -> Value {
     let mut settings = SchemaSettings::draft07();
     settings.transforms.push(Box::new(remove_null));
     settings
         .into_generator()
-        .into_root_schema_for::<SceneSpec>()
+        .into_root_schema_for::<Spec>()
         .to_value()
-});
+}
 
 /// The JSON Schema of a scene, draft 7. Quantities are a number in SI units or a text with a unit;
 /// `x-quantity` tells what they measure.

@@ -188,7 +188,8 @@ fn line_of(text: &str, offset: usize) -> usize {
     1 + text[..offset.min(text.len())].matches('\n').count()
 }
 
-fn whole(label: &str, message: String) -> Mistakes {
+/// A mistake of the whole file.
+pub(crate) fn whole(label: &str, message: String) -> Mistakes {
     Mistakes::new(vec![Mistake {
         file: label.into(),
         place: Place::Whole,

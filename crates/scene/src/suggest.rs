@@ -31,8 +31,8 @@ pub(crate) fn list<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
     }
 }
 
-/// What to write instead: the likely name, or all there are.
-pub(crate) fn instead(name: &str, known: &[&str]) -> String {
+/// What to write instead of a name that is not known: the likely one, or all there are.
+pub fn instead(name: &str, known: &[&str]) -> String {
     match nearest(name, known.iter().copied()) {
         Some(likely) => format!("did you mean `{likely}`?"),
         None if known.is_empty() => "there is none".into(),

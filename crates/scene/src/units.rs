@@ -5,19 +5,32 @@ use std::fmt;
 
 /// What a quantity measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub enum Kind {
+    /// A length.
     Length,
+    /// A time.
     Time,
+    /// A mass.
     Mass,
+    /// A speed.
     Speed,
+    /// An acceleration.
     Acceleration,
+    /// A density.
     Density,
+    /// A pressure or a modulus of elasticity.
     Pressure,
+    /// A mass per time.
     MassFlow,
+    /// A number per time.
     CountRate,
+    /// An angle.
     Angle,
+    /// A turn per time.
     TurnRate,
+    /// A force.
     Force,
+    /// A share of a whole.
     Share,
 }
 

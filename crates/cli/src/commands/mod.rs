@@ -2,7 +2,11 @@
 
 pub(crate) mod check;
 pub(crate) mod completions;
+pub(crate) mod hit;
+pub(crate) mod impact;
 pub(crate) mod inspect;
+pub(crate) mod materials;
 pub(crate) mod new;
 pub(crate) mod run;
+pub(crate) mod safe_speed;
 pub(crate) mod schema;

@@ -8,6 +8,7 @@ pub(crate) mod meter;
 pub(crate) mod motion;
 pub(crate) mod run;
 pub(crate) mod shape;
+pub(crate) mod strength_card;
 pub(crate) mod wall;
 
 use crate::named::Named;

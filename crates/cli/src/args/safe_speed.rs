@@ -1,0 +1,82 @@
+//! Arguments of `pelletflow safe-speed` and `pelletflow materials`.
+
+use super::hit::HitArguments;
+use super::quantity::{ModulusRange, force, length, modulus_range, risk, share, speed};
+use clap::{ArgGroup, Args, ValueEnum};
+use std::path::PathBuf;
+
+#[derive(Debug, Args)]
+#[command(
+    group = ArgGroup::new("given_strength").required(true).args(["strength", "strength_card"]),
+    after_help = "\
+Examples:
+  pelletflow safe-speed --strength 2.45kN --scatter 30% --tests 60 --risk 1% --pellet fired-pellet
+  pelletflow safe-speed --strength 2.45kN --diameter 15mm --shear-modulus 60MPa --poisson 0.22 --density 3700
+  pelletflow safe-speed --strength-card works-a.toml --risk 0.1% --diameter 12mm --youngs-modulus 2GPa --json
+
+A strength card:
+  name = \"works A, July\"
+  source = \"60 pellets, ISO 4700\"
+  distribution = \"log-normal\"        # or \"weibull\", \"fixed\"
+  mean = \"2.45 kN\"
+  coefficient_of_variation = \"30 %\"   # Weibull also: scale and modulus in place of these two
+  test_diameter = \"11.25 mm\"          # left out, the load is that of any size
+  sample_size = 60                    # left out, the numbers count as exact"
+)]
+pub(crate) struct SafeSpeedArguments {
+    #[command(flatten)]
+    pub(crate) hit: HitArguments,
+    /// Crushing load: the mean where --scatter is given, the load of every pellet where it is not.
+    #[arg(long, value_name = "FORCE", value_parser = force)]
+    pub(crate) strength: Option<f64>,
+    /// TOML file of a crushing test.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["scatter", "distribution", "tests", "test_diameter"])]
+    pub(crate) strength_card: Option<PathBuf>,
+    /// Standard deviation of the crushing load over its mean, such as 30%.
+    #[arg(long, value_name = "SHARE", value_parser = share)]
+    pub(crate) scatter: Option<f64>,
+    /// How the crushing load scatters.
+    #[arg(long, value_name = "NAME", value_enum, requires = "scatter", default_value_t = DistributionName::LogNormal)]
+    pub(crate) distribution: DistributionName,
+    /// Number of pellets crushed; the numbers count as exact where it is left out.
+    #[arg(long, value_name = "N", requires = "scatter", value_parser = clap::value_parser!(u32).range(2..))]
+    pub(crate) tests: Option<u32>,
+    /// Diameter of the pellets crushed; left out, the load is that of any size.
+    #[arg(long, value_name = "LENGTH", value_parser = length)]
+    pub(crate) test_diameter: Option<f64>,
+    /// Share of pellets that may break, such as 1%.
+    #[arg(long, value_name = "SHARE", value_parser = risk, default_value = "1%", allow_hyphen_values = true)]
+    pub(crate) risk: f64,
+    /// Shear moduli of the pellet between which the truth lies [default: the library's, for one of its pellets].
+    #[arg(long, value_name = "LOW..HIGH", value_parser = modulus_range)]
+    pub(crate) shear_modulus_range: Option<ModulusRange>,
+    /// Fall that the chute must bear; its slope is chosen for it.
+    #[arg(long, value_name = "HEIGHT", value_parser = length, default_value = "5m", conflicts_with = "arrival_speed")]
+    pub(crate) fall: f64,
+    /// Speed straight down that the chute must bear, in place of a fall.
+    #[arg(long, value_name = "SPEED", value_parser = speed)]
+    pub(crate) arrival_speed: Option<f64>,
+    /// Print JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// A distribution of the crushing load, by name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum DistributionName {
+    /// The logarithm is normal.
+    LogNormal,
+    /// Weibull's weakest link.
+    Weibull,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  pelletflow materials
+  pelletflow materials --json | jq '.[].name'")]
+pub(crate) struct MaterialsArguments {
+    /// Print JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
+}

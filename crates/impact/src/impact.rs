@@ -1,0 +1,150 @@
+//! A hit in full: its force over time, and every number of the method.
+
+use crate::damping::Damping;
+use crate::elastic::ElasticImpact;
+use crate::error::{ImpactError, positive};
+use crate::fit::{BellFit, SineFit};
+use crate::head_on::HeadOn;
+use crate::oblique::{Approach, Rebound, Units};
+
+/// Intervals between the samples of a hit [-].
+const INTERVALS: usize = 400;
+
+/// Steps of the tangential motion per sample [-].
+const STRIDE: usize = 10;
+
+/// One moment of a hit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sample {
+    /// Time since first touch [s].
+    pub time: f64,
+    /// Normal force [N].
+    pub force: f64,
+    /// Depth of the overlap [m].
+    pub overlap: f64,
+    /// Rate at which the overlap grows [m/s].
+    pub approach_speed: f64,
+}
+
+/// One hit from first touch to release.
+///
+/// ```
+/// use pelletflow_impact::{Damping, ElasticImpact, Impact};
+///
+/// let hit = ElasticImpact {
+///     effective_youngs_modulus: 153.74e6,
+///     effective_radius: 7.5e-3,
+///     effective_mass: 6.5e-3,
+///     speed: 5.0,
+/// };
+/// let impact = Impact::new(&hit, Damping::Restitution(0.5), None)?;
+/// assert!(impact.peak_force < hit.peak_force());
+/// assert!((impact.restitution - 0.5).abs() < 1.0e-6);
+/// # Ok::<(), pelletflow_impact::ImpactError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Impact {
+    /// Normal speed of approach [m/s].
+    pub speed: f64,
+    /// Greatest normal force [N].
+    pub peak_force: f64,
+    /// Time from first touch to release [s].
+    pub contact_time: f64,
+    /// Greatest approach of the two bodies [m].
+    pub max_approach: f64,
+    /// Radius of the contact circle at the greatest approach, `√(R* δ)` [m].
+    pub contact_radius: f64,
+    /// Greatest pressure, in the middle of the contact under the greatest force [Pa].
+    pub peak_pressure: f64,
+    /// Rebound speed over approach speed, along the normal [-].
+    pub restitution: f64,
+    /// Impulse along the normal, `m* v (1 + e)` [N·s].
+    pub impulse: f64,
+    /// `k_P`, the impulse over greatest force times contact time [-].
+    pub specific_impulse: f64,
+    /// `χ_P`, the greatest force over the contact time [N/s].
+    pub peak_parameter: f64,
+    /// `τ_max`, the moment of the greatest force over the contact time [-].
+    pub asymmetry: f64,
+    /// The paper's bell curve, fitted to the force.
+    pub bell: BellFit,
+    /// A power of the sine, fitted to the force.
+    pub sine: SineFit,
+    /// The force over time, evenly spaced from first touch to release.
+    pub samples: Vec<Sample>,
+    /// What becomes of sliding and spin, in an oblique hit.
+    pub rebound: Option<Rebound>,
+}
+
+impl Impact {
+    /// Follows a hit whose bodies, normal speed and elasticity are those of `hit`.
+    ///
+    /// # Errors
+    ///
+    /// When a quantity is outside its bounds, or the solver finds no release.
+    pub fn new(
+        hit: &ElasticImpact,
+        damping: Damping,
+        approach: Option<&Approach>,
+    ) -> Result<Self, ImpactError> {
+        positive(
+            "effective Young's modulus",
+            "Pa",
+            hit.effective_youngs_modulus,
+        )?;
+        positive("effective radius", "m", hit.effective_radius)?;
+        positive("effective mass", "kg", hit.effective_mass)?;
+        positive("speed", "m/s", hit.speed)?;
+        damping.validate()?;
+        approach.map_or(Ok(()), Approach::validate)?;
+
+        let head_on = HeadOn::new(damping.law(hit))?;
+        let length = hit.length();
+        let time = length / hit.speed;
+        let units = Units {
+            speed: hit.speed,
+            force: hit.effective_mass * hit.speed.powi(2) / length,
+        };
+        let moments = head_on.moments(INTERVALS * STRIDE)?;
+        let samples: Vec<Sample> = moments
+            .iter()
+            .step_by(STRIDE)
+            .map(|moment| Sample {
+                time: moment.time * time,
+                force: head_on.force(moment) * units.force,
+                overlap: moment.overlap * length,
+                approach_speed: moment.rate * hit.speed,
+            })
+            .collect();
+
+        let peak_force = head_on.force(&head_on.hardest) * units.force;
+        let contact_time = head_on.release.time * time;
+        let asymmetry = head_on.hardest.time / head_on.release.time;
+        let restitution = -head_on.release.rate;
+        let impulse = hit.effective_mass * hit.speed * (1.0 + restitution);
+        let shape: Vec<[f64; 2]> = samples
+            .iter()
+            .map(|sample| [sample.time / contact_time, sample.force / peak_force])
+            .collect();
+        let max_approach = head_on.deepest.overlap * length;
+        Ok(Self {
+            speed: hit.speed,
+            peak_force,
+            contact_time,
+            max_approach,
+            contact_radius: (hit.effective_radius * max_approach).sqrt(),
+            peak_pressure: hit.pressure(peak_force),
+            restitution,
+            impulse,
+            specific_impulse: impulse / (peak_force * contact_time),
+            peak_parameter: peak_force / contact_time,
+            asymmetry,
+            bell: BellFit::new(&shape, asymmetry)?,
+            sine: SineFit::new(&shape)?,
+            samples,
+            rebound: approach
+                .map(|approach| approach.follow(&head_on, &moments, STRIDE, &units))
+                .transpose()?,
+        })
+    }
+}
