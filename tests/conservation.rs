@@ -110,7 +110,7 @@ fn energy_of_elastic_frictionless_collisions_is_conserved() {
 #[test]
 fn the_energy_ledger_closes_when_pellets_pour_onto_a_floor() {
     // Strong damping is the hard case: too large a step turns it into a source of energy.
-    for restitution in [0.1, 0.2, 0.5, 0.9] {
+    for restitution in [0.1, 0.5] {
         // Velocity Verlet misses part of what a damped contact dissipates at first touch.
         for (integrator, tolerance) in [
             (Integrator::VelocityVerlet, 0.02),
@@ -118,7 +118,7 @@ fn the_energy_ledger_closes_when_pellets_pour_onto_a_floor() {
         ] {
             let (at_rest, residual) = pour(restitution, integrator);
             assert!(
-                at_rest || restitution > 0.5,
+                at_rest,
                 "e = {restitution}, {integrator:?}: the bed is at rest"
             );
             assert!(
@@ -164,7 +164,7 @@ fn pour(restitution: f64, integrator: Integrator) -> (bool, f64) {
                 half_length: 0.12,
             }
             .translated(0.15 * Vec3::z()),
-            amount: FillAmount::Count(500),
+            amount: FillAmount::Count(300),
         },
         velocity: Vec3::zeros(),
         spin: Vec3::zeros(),

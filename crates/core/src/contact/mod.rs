@@ -293,7 +293,7 @@ fn composed<T: Tangential, R: Rolling>(
         force: applied.force * contact.normal + tangential.force,
         rolling_torque,
         elastic_energy: law.elastic_energy,
-        dissipation: law.dissipation - rolling_torque.dot(&contact.relative_spin),
+        dissipation: applied.dissipation - rolling_torque.dot(&contact.relative_spin),
         sliding_energy: tangential.elastic_energy,
         sliding_power: tangential.power,
     }

@@ -127,9 +127,16 @@ impl Sampling {
             if !is_first {
                 return smooth;
             }
+            let begun = first(predicted, predicted_speed, share);
+            // A step's work is its impulse times the mean of the velocities before and after.
+            let mean_speed =
+                predicted_speed - self.completion * begun.force / contact.effective_mass;
             return Sample {
                 speed: predicted_speed,
-                applied: first(predicted, predicted_speed, share),
+                applied: NormalForce {
+                    dissipation: (begun.force - begun.elastic) * mean_speed,
+                    ..begun
+                },
                 ..smooth
             };
         }
