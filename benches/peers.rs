@@ -9,6 +9,7 @@
 mod silo;
 
 use pelletflow::core::Vec3;
+use pelletflow::sim::Integrator;
 use silo::{DIAMETER, OUTLET_RADIUS, TIME_STEP};
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
@@ -72,7 +73,7 @@ fn main() {
 }
 
 fn run_pelletflow(positions: &[Vec3]) -> Measured {
-    let mut simulation = silo::from_positions(positions, RADIUS, 1);
+    let mut simulation = silo::from_positions(positions, RADIUS, Integrator::default(), 1);
     simulation.advance(WARM_STEPS).expect("the bed rests");
     let start = Instant::now();
     simulation.advance(STEPS).expect("the bed rests");

@@ -5,7 +5,7 @@ mod common;
 use common::{RADIUS, floor, one, pellet, setup, simulation, smooth, wall};
 use pelletflow::core::contact::{RollingLaw, TangentialLaw};
 use pelletflow::core::{PairProperties, Shape, Vec3};
-use pelletflow::sim::{Fill, FillAmount, Seats, Setup, Simulation};
+use pelletflow::sim::{Fill, FillAmount, Integrator, Seats, Setup, Simulation};
 
 /// Two blocks of pellets that fly at each other.
 fn colliding_blocks(properties: PairProperties) -> Setup {
@@ -103,19 +103,42 @@ fn energy_of_elastic_frictionless_collisions_is_conserved() {
     );
     let ledger = simulation.energy_ledger();
     assert_eq!(ledger.dissipated, 0.0);
-    // Velocity Verlet errs by 4 · 10⁻⁴ per collision at this step, with either sign.
+    // Located Verlet errs by 10⁻⁴ per collision at this step, with either sign.
     assert!((ledger.kinetic + ledger.elastic - before).abs() < 1.0e-3 * before);
 }
 
 #[test]
 fn the_energy_ledger_closes_when_pellets_pour_onto_a_floor() {
+    // Strong damping is the hard case: too large a step turns it into a source of energy.
+    for restitution in [0.1, 0.5] {
+        // Velocity Verlet misses part of what a damped contact dissipates at first touch.
+        for (integrator, tolerance) in [
+            (Integrator::VelocityVerlet, 0.02),
+            (Integrator::LocatedVerlet, 0.005),
+        ] {
+            let (at_rest, residual) = pour(restitution, integrator);
+            assert!(
+                at_rest,
+                "e = {restitution}, {integrator:?}: the bed is at rest"
+            );
+            assert!(
+                residual.abs() < tolerance,
+                "e = {restitution}, {integrator:?}: {residual:.4} of the energy that went through"
+            );
+        }
+    }
+}
+
+/// Pours a bed; whether it has come to rest, and the residual of the energy ledger over what went through it [-].
+fn pour(restitution: f64, integrator: Integrator) -> (bool, f64) {
     let properties = PairProperties {
-        restitution: 0.5,
+        restitution,
         friction: 0.5,
         rolling_friction: 0.1,
     };
     let mut setup = setup(properties, properties);
     setup.gravity = common::GRAVITY;
+    setup.integrator = integrator;
     setup.walls = vec![
         wall("floor", floor(0.0)),
         wall(
@@ -141,7 +164,7 @@ fn the_energy_ledger_closes_when_pellets_pour_onto_a_floor() {
                 half_length: 0.12,
             }
             .translated(0.15 * Vec3::z()),
-            amount: FillAmount::Count(500),
+            amount: FillAmount::Count(300),
         },
         velocity: Vec3::zeros(),
         spin: Vec3::zeros(),
@@ -150,16 +173,10 @@ fn the_energy_ledger_closes_when_pellets_pour_onto_a_floor() {
     let steps = (0.8 / simulation.model().time_step().seconds) as u64;
     simulation.advance(steps).expect("the bed settles");
     let ledger = simulation.energy_ledger();
-    assert!(
+    (
         ledger.kinetic < 1.0e-3 * ledger.dissipated,
-        "the bed is at rest"
-    );
-    // First touch of damped contacts is of first order in the step: about 1 % of what they dissipate.
-    assert!(
-        ledger.residual.abs() < 0.02 * ledger.throughput,
-        "{:.4}",
-        ledger.residual / ledger.throughput
-    );
+        ledger.residual / ledger.throughput,
+    )
 }
 
 #[test]

@@ -5,8 +5,8 @@ use pelletflow::core::{
     Bounds, ContactLaws, Material, PairProperties, Profile, Shape, UnitVector3, Vec3,
 };
 use pelletflow::sim::{
-    Domain, Fill, FillAmount, Limits, Model, Motion, NamedMaterial, NeighborSearch, PelletKind,
-    Schedule, Seats, Setup, Simulation, SizeDistribution, Skips, StepRequest, Wall,
+    Domain, Fill, FillAmount, Integrator, Limits, Model, Motion, NamedMaterial, NeighborSearch,
+    PelletKind, Schedule, Seats, Setup, Simulation, SizeDistribution, Skips, StepRequest, Wall,
 };
 
 /// Diameter of the pellets [m].
@@ -99,6 +99,7 @@ pub(crate) fn silo(pellets: usize, radius: f64) -> Setup {
                 max: Vec3::new(0.5, 0.5, top),
             },
         },
+        integrator: Integrator::default(),
         step: StepRequest::Fixed(TIME_STEP),
         search: NeighborSearch::Auto,
         skin: Some(0.1 * DIAMETER),
@@ -122,8 +123,14 @@ pub(crate) fn settled_positions(pellets: usize, radius: f64) -> Vec<Vec3> {
 }
 
 /// The silo with pellets at rest at these places [m], on a number of threads.
-pub(crate) fn from_positions(positions: &[Vec3], radius: f64, threads: usize) -> Simulation {
+pub(crate) fn from_positions(
+    positions: &[Vec3],
+    radius: f64,
+    integrator: Integrator,
+    threads: usize,
+) -> Simulation {
     let mut setup = silo(1, radius);
+    setup.integrator = integrator;
     setup.fills[0].seats = Seats::Points(positions.to_vec());
     simulation(setup, threads)
 }

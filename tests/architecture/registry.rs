@@ -30,7 +30,7 @@ const FAMILIES: [Family; 2] = [
         folder: "crates/core/src/contact",
         registries: &["NormalLaw", "TangentialLaw", "RollingLaw"],
         filed_under: &[("ConstantTorque", "rolling")],
-        shared: &["mod", "contract", "batch"],
+        shared: &["mod", "contract", "batch", "peak", "sampling"],
     },
 ];
 

@@ -8,8 +8,8 @@
 
 use pelletflow::core::{Bounds, ContactLaws, Material, PairProperties, Shape, UnitVector3, Vec3};
 use pelletflow::sim::{
-    Domain, Fill, Limits, Model, Motion, NamedMaterial, NeighborSearch, PelletKind, PelletView,
-    Schedule, Seats, Setup, Simulation, SizeDistribution, Skips, StepRequest, Wall,
+    Domain, Fill, Integrator, Limits, Model, Motion, NamedMaterial, NeighborSearch, PelletKind,
+    PelletView, Schedule, Seats, Setup, Simulation, SizeDistribution, Skips, StepRequest, Wall,
 };
 
 /// Radius of the paper's pellet [m].
@@ -54,6 +54,7 @@ pub(crate) fn setup(pellets: PairProperties, walls: PairProperties) -> Setup {
                 max: Vec3::repeat(2.0),
             },
         },
+        integrator: Integrator::default(),
         step: StepRequest::PeakForceError(1.0e-3),
         search: NeighborSearch::Auto,
         skin: None,

@@ -1,8 +1,8 @@
 //! Motion of the pellets: kick by the loads, drift by the velocity.
 //!
-//! Velocity Verlet in its leapfrog form. Each pellet carries its velocity at the half step, which the drift needs,
-//! and at the full step, predicted by the last acceleration, which the contact laws need: damping and friction then
-//! see positions and velocities of one instant (Vyas et al. 2024).
+//! A leapfrog. Each pellet carries its velocity at the half step, which the drift needs,
+//! and the velocity that the contact laws see: predicted by the last acceleration to the full step, so that damping and
+//! friction see positions and velocities of one instant (Vyas et al. 2024); only semi-implicit Euler does without.
 
 use crate::chunk;
 use crate::model::Model;
@@ -57,11 +57,18 @@ pub(crate) fn advance(model: &Model, state: &mut State, workspace: &Workspace) -
         .collect();
     let gravity = model.setup().gravity;
     let time_step = model.time_step().seconds;
+    let integrator = model.setup().integrator;
+    let kick = Kick {
+        before: integrator.kick_before(state.step, time_step),
+        after: 0.5 * time_step,
+        prediction: integrator.prediction(time_step),
+        drift: time_step,
+    };
     let has_rotation = model.has_rotation();
     chunk::map(workspace.is_parallel, work, |mut chunk| {
-        let mut tally = translate(&mut chunk, gravity, time_step);
+        let mut tally = translate(&mut chunk, gravity, &kick);
         if has_rotation {
-            tally.kinetic += rotate(&mut chunk, time_step);
+            tally.kinetic += rotate(&mut chunk, &kick);
         }
         tally
     })
@@ -69,39 +76,50 @@ pub(crate) fn advance(model: &Model, state: &mut State, workspace: &Workspace) -
     .fold(MotionTally::default(), MotionTally::merged)
 }
 
-fn translate(chunk: &mut MotionChunk, gravity: Vec3, time_step: f64) -> MotionTally {
+/// Times that the accelerations and velocities of one step act [s].
+struct Kick {
+    /// Acceleration, up to the full step.
+    before: f64,
+    /// Acceleration, from the full step on.
+    after: f64,
+    /// Acceleration, beyond that for the contact laws of the next step.
+    prediction: f64,
+    /// Velocity.
+    drift: f64,
+}
+
+fn translate(chunk: &mut MotionChunk, gravity: Vec3, kick: &Kick) -> MotionTally {
     let mut tally = MotionTally::default();
     for (index, load) in chunk.loads.iter().enumerate() {
         let inverse_mass = chunk.velocity[index][3];
         let mass = 1.0 / inverse_mass;
         let acceleration = vector(&load.force) * inverse_mass + gravity;
-        let half_kick = 0.5 * time_step * acceleration;
         let before = vector(&chunk.half_step_velocity[index]);
-        let now = before + half_kick;
-        let after = now + half_kick;
+        let now = before + kick.before * acceleration;
+        let after = now + kick.after * acceleration;
         let position = vector(&chunk.position[index]);
         tally.kinetic += 0.5 * mass * now.norm_squared();
         tally.potential -= mass * gravity.dot(&position);
         let speed_squared = after.norm_squared();
         tally.max_speed_squared = greater_or_nan(tally.max_speed_squared, speed_squared);
         chunk.half_step_velocity[index] = row(after, 0.0);
-        chunk.velocity[index] = row(after + half_kick, inverse_mass);
-        chunk.position[index] = row(position + time_step * after, chunk.position[index][3]);
+        chunk.velocity[index] = row(after + kick.prediction * acceleration, inverse_mass);
+        chunk.position[index] = row(position + kick.drift * after, chunk.position[index][3]);
     }
     tally
 }
 
 /// Turns the pellets of a chunk and gives their energy of spin [J].
-fn rotate(chunk: &mut MotionChunk, time_step: f64) -> f64 {
+fn rotate(chunk: &mut MotionChunk, kick: &Kick) -> f64 {
     let mut kinetic = 0.0;
     for (index, load) in chunk.loads.iter().enumerate() {
         let inverse_inertia = chunk.spin[index][3];
-        let half_kick = 0.5 * time_step * inverse_inertia * vector(&load.torque);
-        let now = vector(&chunk.half_step_spin[index]) + half_kick;
-        let after = now + half_kick;
+        let acceleration = inverse_inertia * vector(&load.torque);
+        let now = vector(&chunk.half_step_spin[index]) + kick.before * acceleration;
+        let after = now + kick.after * acceleration;
         kinetic += 0.5 * now.norm_squared() / inverse_inertia;
         chunk.half_step_spin[index] = row(after, 0.0);
-        chunk.spin[index] = row(after + half_kick, inverse_inertia);
+        chunk.spin[index] = row(after + kick.prediction * acceleration, inverse_inertia);
     }
     kinetic
 }

@@ -56,8 +56,15 @@ pub(crate) fn feed(
 /// Stores a new pellet and enters it in the books.
 pub(crate) fn insert(model: &Model, state: &mut State, new: &NewPellet) {
     let id = state.books.inserted.count as u32;
-    let half_kick = 0.5 * model.time_step().seconds * model.setup().gravity;
-    state.pellets.push(id, new, half_kick);
+    let setup = model.setup();
+    let time_step = model.time_step().seconds;
+    // All that is there at the first step starts at the full step.
+    let behind = if state.step == 0 {
+        Vec3::zeros()
+    } else {
+        setup.integrator.prediction(time_step) * setup.gravity
+    };
+    state.pellets.push(id, new, behind);
     let (kinetic, potential) = energies(model, state, state.pellets.len() - 1);
     state.books.energy.carry(1.0, kinetic, potential);
     state.books.inserted.add(new.mass);

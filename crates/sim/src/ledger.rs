@@ -83,10 +83,10 @@ impl ContactStatistics {
         }
         self.contact_steps += step.open;
         if step.finished > 0 {
-            let total = self.mean_steps * self.finished as f64 + step.finished_steps;
+            let total = self.mean_steps * self.finished as f64 + step.finished_steps as f64;
             self.finished += step.finished;
             self.mean_steps = total / self.finished as f64;
-            let fewest = step.fewest_steps as u64;
+            let fewest = u64::from(step.fewest_steps);
             self.fewest_steps = if self.fewest_steps == 0 {
                 fewest
             } else {

@@ -5,7 +5,9 @@
 
 pub mod books;
 pub mod error;
+pub mod integrator;
 pub mod ledger;
+pub mod memory;
 pub mod meter;
 pub mod model;
 pub mod motion;
@@ -38,6 +40,7 @@ mod validate;
 mod wall_contacts;
 
 pub use error::{SetupError, StepError};
+pub use integrator::Integrator;
 pub use ledger::{ContactStatistics, EnergyLedger, MassLedger, PelletTally};
 pub use meter::MeterReading;
 pub use model::Model;

@@ -5,7 +5,7 @@ use crate::pellet::SizeDistribution;
 use crate::setup::Setup;
 use crate::time_step::{self, TimeStep};
 use crate::validate;
-use pelletflow_core::contact::{RollingLaw, TangentialLaw};
+use pelletflow_core::contact::{RollingLaw, Sampling, TangentialLaw};
 use pelletflow_core::{ContactLaws, MaterialPair};
 
 /// A validated setup with what follows from it; a step never changes it.
@@ -13,6 +13,7 @@ use pelletflow_core::{ContactLaws, MaterialPair};
 pub struct Model {
     setup: Setup,
     time_step: TimeStep,
+    sampling: Sampling,
     derived: Derived,
 }
 
@@ -46,6 +47,7 @@ impl Model {
         let time_step = time_step::choose(&setup).map_err(|mistake| vec![mistake])?;
         Ok(Self {
             derived: Derived::new(&setup),
+            sampling: setup.integrator.sampling(time_step.seconds),
             setup,
             time_step,
         })
@@ -93,6 +95,12 @@ impl Model {
             kind,
             f64::midpoint(size.min_diameter(), size.max_diameter()) / 2.0,
         )
+    }
+
+    /// How samples of the contact forces stand for steps.
+    #[inline]
+    pub(crate) fn sampling(&self) -> &Sampling {
+        &self.sampling
     }
 
     pub(crate) fn laws(&self) -> &ContactLaws {

@@ -1,6 +1,7 @@
 //! Neighbors: storage order, lists, and the contacts' memory carried from the old lists to the new.
 
 use crate::chunk;
+use crate::memory::ContactMemory;
 use crate::model::Model;
 use crate::setup::NeighborSearch;
 use crate::state::{ChunkContacts, Pellets, Row, State, vector};
@@ -150,17 +151,15 @@ struct OldContacts<'a> {
 
 impl OldContacts<'_> {
     /// Memory that pellet `a` holds of `b`, both by old index.
-    fn of_pair(&self, a: usize, b: usize) -> Option<Row> {
+    fn of_pair(&self, a: usize, b: usize) -> Option<ContactMemory> {
         if a >= self.count || b >= self.count {
             return None;
         }
-        self.listed_at(a, b).or_else(|| {
-            self.listed_at(b, a)
-                .map(|[x, y, z, steps]| [-x, -y, -z, steps])
-        })
+        self.listed_at(a, b)
+            .or_else(|| Some(self.listed_at(b, a)?.mirrored()))
     }
 
-    fn listed_at(&self, a: usize, b: usize) -> Option<Row> {
+    fn listed_at(&self, a: usize, b: usize) -> Option<ContactMemory> {
         let (chunk, local) = (a / self.chunk_size, a % self.chunk_size);
         let list = &self.lists[chunk];
         let first = list.offsets[local] as usize;
@@ -172,7 +171,7 @@ impl OldContacts<'_> {
     }
 
     /// Memory that pellet `a`, by old index, holds of a wall.
-    fn of_wall(&self, a: usize, wall: u32) -> Option<Row> {
+    fn of_wall(&self, a: usize, wall: u32) -> Option<ContactMemory> {
         if a >= self.count {
             return None;
         }

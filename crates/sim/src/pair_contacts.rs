@@ -4,11 +4,12 @@
 //! batches of those alone, several contacts to an instruction.
 
 use crate::forces::ForceChunk;
-use crate::state::{Pellets, row, vector};
+use crate::memory::ContactMemory;
+use crate::state::{Pellets, vector};
 use crate::tally::Partner;
 use crate::workspace::{Load, Touch};
 use pelletflow_core::contact::batch::{Batch, LANES, Sphere};
-use pelletflow_core::{ContactForce, ContactHistory, Vec3};
+use pelletflow_core::{ContactForce, Vec3};
 
 /// Adds the forces of all pairs that the chunk lists.
 ///
@@ -55,11 +56,11 @@ fn find_touches(chunk: &mut ForceChunk, touches: &mut Vec<Touch>) {
                 slot: slot as u32,
             };
             found += usize::from(is_touching);
-            if !is_touching && memories[slot][3] > 0.0 {
+            if !is_touching && memories[slot].steps > 0 {
                 if b as usize > a || chunk.range.contains(&(b as usize)) {
-                    chunk.tally.finish(memories[slot][3]);
+                    chunk.tally.finish(memories[slot].steps);
                 }
-                memories[slot] = [0.0; 4];
+                memories[slot] = ContactMemory::default();
             }
         }
     }
@@ -73,18 +74,13 @@ fn add_batch(chunk: &mut ForceChunk, batch: &mut Batch, touches: &[Touch]) {
     for (lane, touch) in touches.iter().enumerate() {
         let a = chunk.range.start + touch.local as usize;
         let b = touch.partner as usize;
-        let memory = &chunk.contacts.pellet[touch.slot as usize];
-        let history = ContactHistory {
-            tangential_displacement: vector(memory),
-        };
+        let history = chunk.contacts.pellet[touch.slot as usize].history();
         batch.set(lane, &sphere(pellets, a), &sphere(pellets, b), &history);
         if model.has_many_kinds() {
             batch.set_pair(lane, model.pair_of_kinds(pellets.kind[a], pellets.kind[b]));
         }
     }
-    model
-        .laws()
-        .forces(batch, touches.len(), model.time_step().seconds);
+    model.laws().forces(batch, touches.len(), model.sampling());
     for (lane, touch) in touches.iter().enumerate() {
         add_force(chunk, batch, lane, *touch);
     }
@@ -96,7 +92,7 @@ fn add_force(chunk: &mut ForceChunk, batch: &Batch, lane: usize, touch: Touch) {
     let a = chunk.range.start + local;
     let force = batch.force(lane);
     let memory = &mut chunk.contacts.pellet[touch.slot as usize];
-    *memory = row(batch.history(lane).tangential_displacement, memory[3] + 1.0);
+    *memory = memory.stepped(&batch.next_history(lane));
 
     let (twist, arms) = (batch.twist(lane), batch.arms(lane));
     add_load(&mut chunk.loads[local], &force, 1.0, -arms[0] * twist);
@@ -110,11 +106,10 @@ fn add_force(chunk: &mut ForceChunk, batch: &Batch, lane: usize, touch: Touch) {
         );
     }
     if is_in_chunk || b > a {
-        let time_step = chunk.model.time_step().seconds;
         chunk.tally.open(
             &force,
-            || (batch.contact(lane), batch.pair(lane)),
-            time_step,
+            || (batch.contact(lane), batch.pair(lane), batch.history(lane)),
+            chunk.model.sampling(),
         );
         let smaller = chunk.pellets.position[a][3].min(chunk.pellets.position[b][3]);
         chunk

@@ -1,5 +1,6 @@
 //! What a user asks for, in SI units and with names resolved to indices.
 
+use crate::integrator::Integrator;
 use crate::motion::Motion;
 use crate::pellet::PelletKind;
 use crate::time_step::StepRequest;
@@ -33,6 +34,8 @@ pub struct Setup {
     pub meters: Vec<Meter>,
     /// Where pellets may be.
     pub domain: Domain,
+    /// How forces become motion.
+    pub integrator: Integrator,
     /// How the time step is chosen.
     pub step: StepRequest,
     /// How neighbors are found.

@@ -1,6 +1,7 @@
 //! All that a restart needs.
 
 use crate::books::Books;
+use crate::memory::ContactMemory;
 use pelletflow_core::Vec3;
 
 /// Three components and one companion, so that a pellet's share of an array is one half of a cache line.
@@ -56,13 +57,13 @@ pub struct Pellets {
     pub half_step_spin: Vec<Row>,
 }
 
-/// What the contacts of one chunk remember: tangential displacement [m] and the steps since first touch [-].
+/// What the contacts of one chunk remember.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ChunkContacts {
     /// With other pellets.
-    pub pellet: Vec<Row>,
+    pub pellet: Vec<ContactMemory>,
     /// With walls.
-    pub wall: Vec<Row>,
+    pub wall: Vec<ContactMemory>,
 }
 
 /// A pellet about to be stored.
@@ -92,8 +93,8 @@ impl Pellets {
         1.0 / self.velocity[index][3]
     }
 
-    /// Adds one; `half_kick` is the change of velocity in half a step of free flight [m/s].
-    pub(crate) fn push(&mut self, id: u32, new: &NewPellet, half_kick: Vec3) {
+    /// Adds one; `behind` is what its last kick lacks of its velocity [m/s].
+    pub(crate) fn push(&mut self, id: u32, new: &NewPellet, behind: Vec3) {
         let inverse_mass = 1.0 / new.mass;
         self.id.push(id);
         self.kind.push(new.kind as u16);
@@ -102,7 +103,7 @@ impl Pellets {
         self.spin
             .push(row(new.spin, 2.5 * inverse_mass / new.radius.powi(2)));
         self.half_step_velocity
-            .push(row(new.velocity - half_kick, 0.0));
+            .push(row(new.velocity - behind, 0.0));
         self.half_step_spin.push(row(new.spin, 0.0));
     }
 

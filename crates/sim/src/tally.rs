@@ -1,7 +1,7 @@
 //! What the contacts of one chunk did in one step; merged in chunk order.
 
-use pelletflow_core::contact::hertz;
-use pelletflow_core::{Contact, ContactForce, MaterialPair, Vec3};
+use pelletflow_core::contact::{Sampling, peak};
+use pelletflow_core::{Contact, ContactForce, ContactHistory, MaterialPair, Vec3};
 
 /// The other body of a contact, by index.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -35,8 +35,8 @@ pub(crate) struct ForceTally {
     pub(crate) wall_force: Vec<Vec3>,
     /// Contacts that closed.
     pub(crate) finished: u64,
-    pub(crate) finished_steps: f64,
-    pub(crate) fewest_steps: f64,
+    pub(crate) finished_steps: u64,
+    pub(crate) fewest_steps: u32,
 }
 
 impl ForceTally {
@@ -53,8 +53,8 @@ impl ForceTally {
             wall_power: 0.0,
             wall_force: vec![Vec3::zeros(); walls],
             finished: 0,
-            finished_steps: 0.0,
-            fewest_steps: f64::INFINITY,
+            finished_steps: 0,
+            fewest_steps: u32::MAX,
         }
     }
 
@@ -63,8 +63,8 @@ impl ForceTally {
     pub(crate) fn open(
         &mut self,
         force: &ContactForce,
-        contact: impl FnOnce() -> (Contact, MaterialPair),
-        time_step: f64,
+        contact: impl FnOnce() -> (Contact, MaterialPair, ContactHistory),
+        sampling: &Sampling,
     ) {
         self.open += 1;
         self.elastic_energy += force.elastic_energy;
@@ -73,8 +73,8 @@ impl ForceTally {
         self.sliding_power += force.sliding_power;
         // Between two steps the force rises by at most a few percent; only a likely record is looked at closely.
         if force.normal > 0.9 * self.max_force {
-            let (contact, pair) = contact();
-            let peak = hertz::peak_force_near(&contact, &pair, force.normal, time_step);
+            let (contact, pair, history) = contact();
+            let peak = peak::peak_force_near(&contact, &pair, &history, sampling);
             self.max_force = self.max_force.max(peak);
         }
     }
@@ -93,9 +93,9 @@ impl ForceTally {
 
     /// Enters the end of a contact that was open for a number of steps.
     #[inline]
-    pub(crate) fn finish(&mut self, steps: f64) {
+    pub(crate) fn finish(&mut self, steps: u32) {
         self.finished += 1;
-        self.finished_steps += steps;
+        self.finished_steps += u64::from(steps);
         self.fewest_steps = self.fewest_steps.min(steps);
     }
 

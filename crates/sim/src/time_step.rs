@@ -27,9 +27,6 @@ pub struct TimeStep {
     pub shortest_contact: f64,
 }
 
-/// Error of an elastic impact times the square of the steps per contact [-]: velocity Verlet is of second order there,
-/// and contact time, the worst of peak force, contact time and rebound, errs by this (`tests/impact.rs` holds it).
-const IMPACT_ERROR_FACTOR: f64 = 0.57;
 /// Largest step over the Rayleigh time [-]: a bed has several contacts per pellet, each stiffening it.
 const RAYLEIGH_SHARE: f64 = 0.2;
 /// Largest forced step over the Rayleigh time [-].
@@ -54,7 +51,7 @@ pub(crate) fn choose(setup: &Setup) -> Result<TimeStep, SetupError> {
     );
     let (seconds, reason) = match setup.step {
         StepRequest::PeakForceError(error) => {
-            let steps = (IMPACT_ERROR_FACTOR / error).sqrt();
+            let steps = setup.integrator.steps_per_contact(error);
             let by_force = shortest.time / steps;
             let by_wave = RAYLEIGH_SHARE * rayleigh;
             let share = 100.0 * error;

@@ -1,11 +1,12 @@
 //! Contacts between pellets and walls.
 
 use crate::forces::ForceChunk;
+use crate::memory::ContactMemory;
 use crate::pair_contacts::add_load;
-use crate::state::{row, vector};
+use crate::state::vector;
 use crate::tally::Partner;
 use crate::workspace::NearWall;
-use pelletflow_core::{Contact, ContactHistory, Vec3};
+use pelletflow_core::{Contact, Vec3};
 
 /// Least curvature of a contact over the pellet's own [-]: a pellet in a hollow of nearly its own radius would
 /// otherwise be held by an infinite force.
@@ -17,9 +18,9 @@ pub(crate) fn add_forces(chunk: &mut ForceChunk) {
         let NearWall { pellet, wall } = chunk.list.near_walls[slot];
         let (local, wall) = (pellet as usize, wall as usize);
         let is_touching = chunk.walls[wall].is_present && touch(chunk, local, wall, slot);
-        if !is_touching && chunk.contacts.wall[slot][3] > 0.0 {
-            chunk.tally.finish(chunk.contacts.wall[slot][3]);
-            chunk.contacts.wall[slot] = [0.0; 4];
+        if !is_touching && chunk.contacts.wall[slot].steps > 0 {
+            chunk.tally.finish(chunk.contacts.wall[slot].steps);
+            chunk.contacts.wall[slot] = ContactMemory::default();
         }
     }
 }
@@ -66,17 +67,18 @@ fn touch(chunk: &mut ForceChunk, local: usize, index: usize, slot: usize) -> boo
         effective_mass: 1.0 / chunk.pellets.velocity[a][3],
     };
     let pair = model.pair_with_wall(chunk.pellets.kind[a], index);
-    let time_step = model.time_step().seconds;
+    let sampling = model.sampling();
     let memory = &mut chunk.contacts.wall[slot];
-    let mut history = ContactHistory {
-        tangential_displacement: vector(memory),
-    };
-    let force = model.laws().force(&contact, pair, &mut history, time_step);
-    *memory = row(history.tangential_displacement, memory[3] + 1.0);
+    let last = memory.history();
+    let mut history = last;
+    let force = model.laws().force(&contact, pair, &mut history, sampling);
+    *memory = memory.stepped(&history);
 
     let moment: Vec3 = -arm * normal.cross(&force.force);
     add_load(&mut chunk.loads[local], &force, 1.0, moment);
-    chunk.tally.open(&force, || (contact, *pair), time_step);
+    chunk
+        .tally
+        .open(&force, || (contact, *pair, last), sampling);
     chunk.tally.open_with_walls += 1;
     chunk.tally.depth(overlap / radius, a, Partner::Wall(index));
     chunk.tally.wall_force[index] -= force.force;

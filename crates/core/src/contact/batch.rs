@@ -37,6 +37,10 @@ pub struct Batch {
     inverse_mass: Lanes,
     pair: [Lanes; 6],
     displacement: Lanes3,
+    last_force: Lanes,
+    reached: Lanes3,
+    next_force: Lanes,
+    is_edge: Lanes,
     overlap: Lanes,
     force: Lanes3,
     twist: Lanes3,
@@ -56,6 +60,10 @@ impl Default for Batch {
             inverse_mass: lanes,
             pair: [lanes; 6],
             displacement: lanes3,
+            last_force: lanes,
+            reached: lanes3,
+            next_force: lanes,
+            is_edge: lanes,
             overlap: lanes,
             force: lanes3,
             twist: lanes3,
@@ -76,6 +84,7 @@ impl Batch {
             self.spin[1][axis][lane] = b.spin[axis];
             self.displacement[axis][lane] = history.tangential_displacement[axis];
         }
+        self.last_force[lane] = history.normal_force;
         self.radius[0][lane] = a.radius;
         self.radius[1][lane] = b.radius;
         self.inverse_mass[lane] = a.inverse_mass + b.inverse_mass;
@@ -136,12 +145,28 @@ impl Batch {
         }
     }
 
-    /// What the contact in a lane remembers.
+    /// What the contact in a lane remembered when it was set.
     #[inline]
     pub fn history(&self, lane: usize) -> ContactHistory {
         ContactHistory {
             tangential_displacement: vector(&self.displacement, lane),
+            normal_force: self.last_force[lane],
         }
+    }
+
+    /// What the contact in a lane remembers from now on.
+    #[inline]
+    pub fn next_history(&self, lane: usize) -> ContactHistory {
+        ContactHistory {
+            tangential_displacement: vector(&self.reached, lane),
+            normal_force: self.next_force[lane],
+        }
+    }
+
+    /// Whether the contact in a lane begins or ends near this sample.
+    #[inline]
+    pub(super) fn is_edge(&self, lane: usize) -> bool {
+        self.is_edge[lane] > 0.0
     }
 
     #[expect(
@@ -155,16 +180,15 @@ impl Batch {
         contact: &Contact,
         force: &ContactForce,
         history: &ContactHistory,
+        is_edge: bool,
     ) {
+        self.is_edge[lane] = if is_edge { 1.0 } else { 0.0 };
+        self.next_force[lane] = history.normal_force;
         self.overlap[lane] = contact.overlap;
         set_vector(&mut self.force, lane, force.force);
         set_vector(&mut self.twist, lane, contact.normal.cross(&force.force));
         set_vector(&mut self.rolling_torque, lane, force.rolling_torque);
-        set_vector(
-            &mut self.displacement,
-            lane,
-            history.tangential_displacement,
-        );
+        set_vector(&mut self.reached, lane, history.tangential_displacement);
         self.scalar[0][lane] = force.normal;
         self.scalar[1][lane] = force.elastic_energy;
         self.scalar[2][lane] = force.dissipation;

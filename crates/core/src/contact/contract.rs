@@ -1,6 +1,6 @@
 //! What every contact law promises, held for each composition.
 
-use super::{Contact, ContactHistory, ContactLaws, NormalLaw, RollingLaw, TangentialLaw};
+use super::{Contact, ContactHistory, ContactLaws, NormalLaw, RollingLaw, Sampling, TangentialLaw};
 use crate::{Material, MaterialPair, PairProperties, Vec3};
 use nalgebra::UnitQuaternion;
 
@@ -45,6 +45,10 @@ fn touch(overlap: f64) -> Contact {
 
 const TIME_STEP: f64 = 1.0e-5;
 
+fn sampling() -> Sampling {
+    Sampling::located(TIME_STEP)
+}
+
 #[test]
 fn every_law_pushes_apart_and_harder_when_deeper() {
     for laws in registry() {
@@ -54,7 +58,7 @@ fn every_law_pushes_apart_and_harder_when_deeper() {
                 &touch(overlap),
                 &pair(0.5),
                 &mut ContactHistory::default(),
-                TIME_STEP,
+                &sampling(),
             );
             assert!(force.normal > last, "{laws:?}");
             assert!(force.force.dot(&touch(overlap).normal) > 0.0, "{laws:?}");
@@ -75,7 +79,7 @@ fn no_law_pulls_when_bodies_part() {
                 &parting,
                 &pair(0.2),
                 &mut ContactHistory::default(),
-                TIME_STEP,
+                &sampling(),
             );
             assert!(force.normal >= 0.0, "{laws:?}");
         }
@@ -94,8 +98,8 @@ fn every_law_gives_body_b_the_exact_negative() {
         };
         let (mut of_a, mut of_b) = (ContactHistory::default(), ContactHistory::default());
         for _ in 0..20 {
-            let a = laws.force(&contact, &pair(0.5), &mut of_a, TIME_STEP);
-            let b = laws.force(&mirrored, &pair(0.5), &mut of_b, TIME_STEP);
+            let a = laws.force(&contact, &pair(0.5), &mut of_a, &sampling());
+            let b = laws.force(&mirrored, &pair(0.5), &mut of_b, &sampling());
             assert_eq!(a.force, -b.force, "{laws:?}");
             assert_eq!(a.rolling_torque, -b.rolling_torque, "{laws:?}");
             assert_eq!(
@@ -118,7 +122,7 @@ fn every_law_vanishes_at_first_touch() {
             &grazing,
             &pair(0.5),
             &mut ContactHistory::default(),
-            TIME_STEP,
+            &sampling(),
         );
         assert!(force.force.norm() < 1.0e-12, "{laws:?}");
         assert!(force.rolling_torque.norm() < 1.0e-12, "{laws:?}");
@@ -130,7 +134,7 @@ fn every_law_vanishes_at_first_touch() {
             &nothing,
             &pair(0.5),
             &mut ContactHistory::default(),
-            TIME_STEP,
+            &sampling(),
         );
         assert!(
             force.force.iter().all(|value| value.is_finite()),
@@ -145,7 +149,7 @@ fn friction_never_exceeds_coulombs_cap() {
         let contact = touch(2.0e-4);
         let mut history = ContactHistory::default();
         for _ in 0..2000 {
-            let force = laws.force(&contact, &pair(0.5), &mut history, TIME_STEP);
+            let force = laws.force(&contact, &pair(0.5), &mut history, &sampling());
             let tangential = force.force - force.normal * contact.normal;
             assert!(
                 tangential.norm() <= 0.5 * force.normal * (1.0 + 1.0e-12),
@@ -163,6 +167,7 @@ fn the_tangential_history_turns_with_the_contact() {
     };
     let mut history = ContactHistory {
         tangential_displacement: Vec3::new(0.0, 1.0e-6, 0.0),
+        normal_force: 1.0,
     };
     let turn = UnitQuaternion::from_axis_angle(&Vec3::x_axis(), 0.01);
     let mut normal = Vec3::z();
@@ -174,7 +179,7 @@ fn the_tangential_history_turns_with_the_contact() {
             relative_spin: Vec3::zeros(),
             ..touch(2.0e-4)
         };
-        laws.force(&contact, &pair(0.5), &mut history, TIME_STEP);
+        laws.force(&contact, &pair(0.5), &mut history, &sampling());
     }
     let length = history.tangential_displacement.norm();
     assert!((length / 1.0e-6 - 1.0).abs() < 1.0e-9, "length {length}");
@@ -192,7 +197,7 @@ fn normal_damping_and_rolling_never_give_energy_back() {
                 ..touch(1.0e-6 + 4.0e-4 * phase.sin().abs())
             };
             let mut history = ContactHistory::default();
-            let force = laws.force(&contact, &pair(0.5), &mut history, TIME_STEP);
+            let force = laws.force(&contact, &pair(0.5), &mut history, &sampling());
             assert!(
                 force.dissipation >= -1.0e-12,
                 "{laws:?}: {}",

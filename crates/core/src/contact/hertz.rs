@@ -15,11 +15,20 @@ pub struct NormalForce {
     pub contact_radius: f64,
     /// Damping coefficient of the normal direction [N·s/m].
     pub damping: f64,
+    /// Force of the spring alone [N].
+    pub elastic: f64,
+    /// Stiffness of the spring, `S = dF/dδ` [N/m].
+    pub stiffness: f64,
     /// Energy stored in the spring, `2/5 k δ^2.5` [J].
     pub elastic_energy: f64,
     /// Rate at which the damping turns motion into heat [W].
     pub dissipation: f64,
 }
+
+/// Power of the overlap in the elastic force [-].
+pub(super) const ELASTIC_POWER: f64 = 1.5;
+/// Power of the overlap in the damping [-].
+pub(super) const DAMPING_POWER: f64 = 0.25;
 
 /// `2 √(5/6)`: turns the damping ratio β into the damping of a Hertz contact [-] (Antypov & Elliott 2011).
 const DAMPING_FACTOR: f64 = 1.825_741_858_350_553_6;
@@ -31,55 +40,32 @@ pub fn force(contact: &Contact, pair: &MaterialPair, approach_speed: f64) -> Nor
     let stiffness = 2.0 * pair.effective_youngs_modulus * contact_radius;
     let elastic = 2.0 / 3.0 * stiffness * contact.overlap;
     let damping = DAMPING_FACTOR * pair.damping_ratio * (stiffness * contact.effective_mass).sqrt();
-    let damped = elastic + damping * approach_speed;
-    // Not `f64::max`, whose care for NaN costs two more instructions per contact.
-    let force = if damped > 0.0 { damped } else { 0.0 };
     NormalForce {
-        force,
+        force: 0.0,
         contact_radius,
         damping,
+        elastic,
+        stiffness,
         elastic_energy: 0.4 * elastic * contact.overlap,
-        dissipation: (force - elastic) * approach_speed,
+        dissipation: 0.0,
     }
+    .at_speed(approach_speed)
 }
 
-/// Greatest normal force of the smooth motion near this sample of it [N].
-///
-/// Samples of a smooth peak fall short of it by up to 0.4 % at 22 steps per contact. Two time derivatives of the
-/// force follow from the law and from `m* δ̈ = −F`, and give the top of the parabola through the sample. Velocity
-/// Verlet, in turn, conserves `V − F² Δt² / (24 m*)` at a turning point in place of `V` (Hairer, Lubich & Wanner 2006,
-/// section IX.3), so its own peak lies too high by the share `F′ Δt² / (24 m*)`, taken off here.
-pub fn peak_force_near(
-    contact: &Contact,
-    pair: &MaterialPair,
-    normal_force: f64,
-    time_step: f64,
-) -> f64 {
-    let speed = -contact.relative_velocity.dot(&contact.normal);
-    let NormalForce {
-        damping,
-        contact_radius,
-        ..
-    } = force(contact, pair, speed);
-    let elastic = 4.0 / 3.0 * pair.effective_youngs_modulus * contact_radius * contact.overlap;
-    let viscous = damping * speed;
-    let per_overlap = 1.0 / contact.overlap;
-    let by_overlap = (1.5 * elastic + 0.25 * viscous) * per_overlap;
-    let by_overlap_twice = (0.75 * elastic - 0.1875 * viscous) * per_overlap * per_overlap;
-    let by_both = 0.25 * damping * per_overlap;
-    let acceleration = -normal_force / contact.effective_mass;
-    let rate = by_overlap * speed + damping * acceleration;
-    let bend = by_overlap_twice * speed * speed
-        + 2.0 * by_both * speed * acceleration
-        + by_overlap * acceleration
-        - damping * rate / contact.effective_mass;
-    // A top farther away than half a step belongs to another sample, with some grace for the error of the parabola.
-    let is_near = bend < 0.0 && rate.abs() <= -0.6 * time_step * bend;
-    if !is_near {
-        return normal_force;
+impl NormalForce {
+    /// The same overlap, growing at another speed [m/s].
+    #[inline]
+    #[must_use]
+    pub fn at_speed(&self, approach_speed: f64) -> Self {
+        let damped = self.elastic + self.damping * approach_speed;
+        // Not `f64::max`, whose care for NaN costs two more instructions per contact.
+        let force = if damped > 0.0 { damped } else { 0.0 };
+        Self {
+            force,
+            dissipation: (force - self.elastic) * approach_speed,
+            ..*self
+        }
     }
-    let overshoot = by_overlap * time_step * time_step / (24.0 * contact.effective_mass);
-    (normal_force - rate * rate / (2.0 * bend)) * (1.0 - overshoot)
 }
 
 /// Restitution of a Hertz contact of damping ratio β whose force is clamped at zero [-].

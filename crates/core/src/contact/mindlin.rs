@@ -19,6 +19,14 @@ pub struct TangentialForce {
     pub power: f64,
 }
 
+/// Share of the sliding that damping alone may stop in one step [-].
+///
+/// Damping answers to a predicted velocity, which is stable while all contacts of a pellet together stop less than the
+/// whole of its motion in a step. A dozen contacts do within this bound; strong damping alone would break it.
+const STOPPED_PER_STEP: f64 = 0.3;
+/// Mass that resists sliding at the surface of solid spheres, over the effective mass: `1 / (1 + R² m / I)` [-].
+const SLIDING_MASS: f64 = 2.0 / 7.0;
+
 /// Mindlin's spring.
 #[derive(Debug, Clone, Copy)]
 pub struct Mindlin;
@@ -38,6 +46,12 @@ impl Tangential for Mindlin {
         let stiffness = 8.0 * pair.effective_shear_modulus * normal.contact_radius;
         // Both directions are damped by one ratio, c ∝ √(stiffness m*), and the normal root is known.
         let damping = normal.damping * pair.tangential_damping_share;
+        let steadiest = STOPPED_PER_STEP * SLIDING_MASS * contact.effective_mass / time_step;
+        let damping = if damping < steadiest {
+            damping
+        } else {
+            steadiest
+        };
         let half_growth = 0.5 * time_step * sliding;
         let tried = turned_into_plane(displacement, contact.normal) + half_growth;
         let stuck = -stiffness * tried - damping * sliding;

@@ -7,15 +7,19 @@ pub mod batch;
 pub mod hertz;
 pub mod mindlin;
 pub mod none;
+pub mod peak;
 pub mod rolling;
+pub mod sampling;
 
 pub use batch::Batch;
+pub use sampling::Sampling;
 
 use crate::{MaterialPair, Vec3};
 use hertz::NormalForce;
 use mindlin::{Mindlin, TangentialForce};
 use none::{NoFriction, NoRolling};
 use rolling::ConstantTorque;
+use sampling::Sample;
 use serde::{Deserialize, Serialize};
 
 /// One touch, seen from body A; body B is a pellet or a wall.
@@ -40,6 +44,8 @@ pub struct Contact {
 pub struct ContactHistory {
     /// Elastic tangential displacement of A's surface relative to B's [m].
     pub tangential_displacement: Vec3,
+    /// Normal force that the last step was given [N]: 0 before first touch, more than 0 from then on.
+    pub normal_force: f64,
 }
 
 /// What a contact does to body A; body B receives the negative force.
@@ -158,20 +164,75 @@ macro_rules! with_parts {
 }
 
 impl ContactLaws {
-    /// Force of one contact over one step of `time_step` [s].
+    /// Force of one contact over one step.
     pub fn force(
         &self,
         contact: &Contact,
         pair: &MaterialPair,
         history: &mut ContactHistory,
-        time_step: f64,
+        sampling: &Sampling,
     ) -> ContactForce {
-        with_parts!(self, composed_force(contact, pair, history, time_step))
+        with_parts!(self, composed_force(contact, pair, history, sampling))
     }
 
-    /// Forces of the first `count` contacts of a batch over one step of `time_step` [s]: the same bits as one by one.
-    pub fn forces(&self, batch: &mut Batch, count: usize, time_step: f64) {
-        with_parts!(self, composed_forces(batch, count, time_step));
+    /// Forces of the first `count` contacts of a batch over one step: the same bits as one by one.
+    pub fn forces(&self, batch: &mut Batch, count: usize, sampling: &Sampling) {
+        with_parts!(self, composed_forces(batch, count, sampling));
+    }
+}
+
+/// A contact's normal direction at a sample, and how its surfaces slide.
+struct Touch {
+    sample: Sample,
+    predicted: NormalForce,
+    predicted_speed: f64,
+    sliding: Vec3,
+}
+
+fn composed_force<T: Tangential, R: Rolling>(
+    contact: &Contact,
+    pair: &MaterialPair,
+    history: &mut ContactHistory,
+    sampling: &Sampling,
+) -> ContactForce {
+    let mut touch = touch(contact, pair, history, sampling);
+    if touch.sample.is_edge {
+        touch.sample = sampling.at_edge(
+            contact,
+            &touch.predicted,
+            touch.predicted_speed,
+            history.normal_force,
+            touch.sample,
+        );
+    }
+    composed::<T, R>(contact, pair, &touch, history, sampling)
+}
+
+/// All lanes as if in the smooth middle of their contacts, then those few again that begin or end.
+fn composed_forces<T: Tangential, R: Rolling>(
+    batch: &mut Batch,
+    count: usize,
+    sampling: &Sampling,
+) {
+    let count = count.min(batch::LANES);
+    for lane in 0..count {
+        let contact = batch.contact(lane);
+        let pair = batch.pair(lane);
+        let mut history = batch.history(lane);
+        let touch = touch(&contact, &pair, &history, sampling);
+        let force = composed::<T, R>(&contact, &pair, &touch, &mut history, sampling);
+        batch.set_force(lane, &contact, &force, &history, touch.sample.is_edge);
+    }
+    if sampling.is_located() {
+        for lane in 0..count {
+            if batch.is_edge(lane) {
+                let contact = batch.contact(lane);
+                let pair = batch.pair(lane);
+                let mut history = batch.history(lane);
+                let force = composed_force::<T, R>(&contact, &pair, &mut history, sampling);
+                batch.set_force(lane, &contact, &force, &history, true);
+            }
+        }
     }
 }
 
@@ -180,43 +241,61 @@ impl ContactLaws {
     reason = "a call in the loop of a batch would keep it from using vector instructions"
 )]
 #[inline(always)]
-fn composed_force<T: Tangential, R: Rolling>(
+fn touch(
     contact: &Contact,
     pair: &MaterialPair,
-    history: &mut ContactHistory,
-    time_step: f64,
-) -> ContactForce {
-    let approach_speed = -contact.relative_velocity.dot(&contact.normal);
-    let sliding = contact.relative_velocity + approach_speed * contact.normal;
-    let normal = hertz::force(contact, pair, approach_speed);
-    let tangential = T::force(
-        contact,
-        pair,
-        &normal,
-        sliding,
-        history.tangential_displacement,
-        time_step,
-    );
-    let rolling_torque = R::torque(contact, pair, normal.force, time_step);
-    history.tangential_displacement = tangential.displacement;
-    ContactForce {
-        normal: normal.force,
-        force: normal.force * contact.normal + tangential.force,
-        rolling_torque,
-        elastic_energy: normal.elastic_energy,
-        dissipation: normal.dissipation - rolling_torque.dot(&contact.relative_spin),
-        sliding_energy: tangential.elastic_energy,
-        sliding_power: tangential.power,
+    history: &ContactHistory,
+    sampling: &Sampling,
+) -> Touch {
+    let predicted_speed = -contact.relative_velocity.dot(&contact.normal);
+    let predicted = hertz::force(contact, pair, predicted_speed);
+    Touch {
+        sample: sampling.smooth(contact, &predicted, predicted_speed, history.normal_force),
+        predicted,
+        predicted_speed,
+        sliding: contact.relative_velocity + predicted_speed * contact.normal,
     }
 }
 
-fn composed_forces<T: Tangential, R: Rolling>(batch: &mut Batch, count: usize, time_step: f64) {
-    for lane in 0..count.min(batch::LANES) {
-        let contact = batch.contact(lane);
-        let pair = batch.pair(lane);
-        let mut history = batch.history(lane);
-        let force = composed_force::<T, R>(&contact, &pair, &mut history, time_step);
-        batch.set_force(lane, &contact, &force, &history);
+#[expect(
+    clippy::inline_always,
+    reason = "a call in the loop of a batch would keep it from using vector instructions"
+)]
+#[inline(always)]
+fn composed<T: Tangential, R: Rolling>(
+    contact: &Contact,
+    pair: &MaterialPair,
+    touch: &Touch,
+    history: &mut ContactHistory,
+    sampling: &Sampling,
+) -> ContactForce {
+    let Sample { law, applied, .. } = touch.sample;
+    let time_step = sampling.time_step();
+    let tangential = T::force(
+        contact,
+        pair,
+        &applied,
+        touch.sliding,
+        history.tangential_displacement,
+        time_step,
+    );
+    let rolling_torque = R::torque(contact, pair, applied.force, time_step);
+    *history = ContactHistory {
+        tangential_displacement: tangential.displacement,
+        normal_force: if applied.force > 0.0 {
+            applied.force
+        } else {
+            f64::MIN_POSITIVE
+        },
+    };
+    ContactForce {
+        normal: law.force,
+        force: applied.force * contact.normal + tangential.force,
+        rolling_torque,
+        elastic_energy: law.elastic_energy,
+        dissipation: applied.dissipation - rolling_torque.dot(&contact.relative_spin),
+        sliding_energy: tangential.elastic_energy,
+        sliding_power: tangential.power,
     }
 }
 

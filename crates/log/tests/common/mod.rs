@@ -6,9 +6,9 @@ use pelletflow_core::{
 };
 use pelletflow_log::{Progress, RunError, RunRequest, Summary, run};
 use pelletflow_sim::{
-    Domain, Fill, FillAmount, Limits, Meter, Model, Motion, NamedMaterial, NeighborSearch, Outlet,
-    PelletKind, RunPlan, Schedule, Seats, Setup, Simulation, SizeDistribution, Skips, StepRequest,
-    Wall,
+    Domain, Fill, FillAmount, Integrator, Limits, Meter, Model, Motion, NamedMaterial,
+    NeighborSearch, Outlet, PelletKind, RunPlan, Schedule, Seats, Setup, Simulation,
+    SizeDistribution, Skips, StepRequest, Wall,
 };
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -80,6 +80,7 @@ pub(crate) fn setup(pellets: usize) -> Setup {
                 max: Vec3::new(0.3, 0.3, 0.4),
             },
         },
+        integrator: Integrator::default(),
         step: StepRequest::PeakForceError(0.01),
         search: NeighborSearch::Auto,
         skin: None,

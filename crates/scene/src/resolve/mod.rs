@@ -103,6 +103,7 @@ impl Resolver<'_> {
                 outlets,
                 meters,
                 domain,
+                integrator: run::integrator(spec.time.integrator),
                 step: self.step(),
                 search: run::search(spec.contact.search),
                 skin: spec.contact.skin.map(|Size(skin)| skin),

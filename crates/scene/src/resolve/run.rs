@@ -4,9 +4,12 @@ use super::{OutputOptions, Resolver};
 use crate::key_path::KeyPath;
 use crate::number::show;
 use crate::spec::header::{ContactSpec, NormalSpec, RollingSpec, SearchSpec, TangentialSpec};
+use crate::spec::run::IntegratorSpec;
 use crate::spec::run::{LimitsSpec, SkipSpec};
 use pelletflow_core::contact::{ContactLaws, NormalLaw, RollingLaw, TangentialLaw};
-use pelletflow_sim::{Limits, NeighborSearch, RunPlan, Skips, StepRequest, StopCondition};
+use pelletflow_sim::{
+    Integrator, Limits, NeighborSearch, RunPlan, Skips, StepRequest, StopCondition,
+};
 
 /// Error of the peak force that a step is chosen for [-].
 const PEAK_FORCE_ERROR: f64 = 1.0e-3;
@@ -142,6 +145,15 @@ pub(super) fn laws(spec: &ContactSpec) -> ContactLaws {
             RollingSpec::None => RollingLaw::None,
             RollingSpec::ConstantTorque => RollingLaw::ConstantTorque,
         },
+    }
+}
+
+pub(super) fn integrator(spec: Option<IntegratorSpec>) -> Integrator {
+    match spec {
+        None => Integrator::default(),
+        Some(IntegratorSpec::SemiImplicitEuler) => Integrator::SemiImplicitEuler,
+        Some(IntegratorSpec::VelocityVerlet) => Integrator::VelocityVerlet,
+        Some(IntegratorSpec::LocatedVerlet) => Integrator::LocatedVerlet,
     }
 }
 

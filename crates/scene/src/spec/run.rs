@@ -12,9 +12,23 @@ pub(crate) struct TimeSpec {
     pub(crate) end: Duration,
     /// A fixed time step [s].
     pub(crate) step: Option<Duration>,
+    /// How forces become motion; `located-verlet` where none is given.
+    pub(crate) integrator: Option<IntegratorSpec>,
     /// Error of the peak force of the fastest hit, from which the step is chosen [-]; 0.001 where none is given.
     #[schemars(extend("maximum" = 0.2))]
     pub(crate) peak_force_error: Option<Share>,
+}
+
+/// How forces become motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum IntegratorSpec {
+    /// Kick, then drift; contact laws see the velocity half a step late.
+    SemiImplicitEuler,
+    /// Velocity Verlet.
+    VelocityVerlet,
+    /// Velocity Verlet with first touch and release located within the step.
+    LocatedVerlet,
 }
 
 /// What ends the run before its time; any one is enough.

@@ -1,0 +1,92 @@
+//! The greatest force between two samples of a contact.
+
+use super::{Contact, ContactHistory, Sampling, hertz};
+use crate::MaterialPair;
+
+/// Parts of a step in which the top is sought [-].
+const PARTS: u32 = 8;
+
+/// Overlap [m] and its rate [m/s].
+#[derive(Clone, Copy)]
+struct Motion {
+    overlap: f64,
+    speed: f64,
+}
+
+/// Greatest normal force within a step of a sample [N]; that of the sample where the top is farther away.
+///
+/// Samples of a smooth peak fall short of it by up to 1.5 % at 12 steps per contact. The contact is followed by itself
+/// from the sample toward its top, by the classical method of Runge and Kutta over parts of a step.
+pub fn peak_force_near(
+    contact: &Contact,
+    pair: &MaterialPair,
+    history: &ContactHistory,
+    sampling: &Sampling,
+) -> f64 {
+    let predicted_speed = -contact.relative_velocity.dot(&contact.normal);
+    let predicted = hertz::force(contact, pair, predicted_speed);
+    let sample = sampling.smooth(contact, &predicted, predicted_speed, history.normal_force);
+    let force_of = |motion: Motion| {
+        let at = Contact {
+            overlap: motion.overlap.max(0.0),
+            ..*contact
+        };
+        hertz::force(&at, pair, motion.speed).force
+    };
+    let mut motion = if history.normal_force > 0.0 {
+        let (overlap, speed) = sampling.true_motion(contact, &sample);
+        Motion { overlap, speed }
+    } else {
+        Motion {
+            overlap: contact.overlap,
+            speed: predicted_speed,
+        }
+    };
+    let part = sampling.time_step() / f64::from(PARTS);
+    let here = force_of(motion);
+    let ahead = advanced(motion, part, contact.effective_mass, force_of);
+    let time = if force_of(ahead) > here { part } else { -part };
+    let mut last = [here, here];
+    for _ in 0..PARTS {
+        motion = advanced(motion, time, contact.effective_mass, force_of);
+        let force = force_of(motion);
+        if force <= last[1] {
+            return top_of_parabola(last[0], last[1], force);
+        }
+        last = [last[1], force];
+    }
+    sample.law.force
+}
+
+/// The motion of the contact by itself, `m* δ̈ = −F`, a time later [s].
+fn advanced(from: Motion, time: f64, mass: f64, force_of: impl Fn(Motion) -> f64) -> Motion {
+    let rate = |motion: Motion| Motion {
+        overlap: motion.speed,
+        speed: -force_of(motion) / mass,
+    };
+    let moved = |by: Motion, share: f64| Motion {
+        overlap: from.overlap + share * time * by.overlap,
+        speed: from.speed + share * time * by.speed,
+    };
+    let first = rate(from);
+    let second = rate(moved(first, 0.5));
+    let third = rate(moved(second, 0.5));
+    let fourth = rate(moved(third, 1.0));
+    let mean = |of: fn(&Motion) -> f64| {
+        (of(&first) + 2.0 * of(&second) + 2.0 * of(&third) + of(&fourth)) / 6.0
+    };
+    Motion {
+        overlap: from.overlap + time * mean(|motion| motion.overlap),
+        speed: from.speed + time * mean(|motion| motion.speed),
+    }
+}
+
+/// Top of the parabola through three even samples, the middle one the greatest.
+fn top_of_parabola(before: f64, middle: f64, after: f64) -> f64 {
+    let bend = before - 2.0 * middle + after;
+    if bend < 0.0 {
+        middle - (after - before).powi(2) / (8.0 * bend)
+    } else {
+        middle
+    }
+}
