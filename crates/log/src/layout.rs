@@ -80,8 +80,9 @@ fn scene_panel(bounds: &Bounds, spheres_up_to: usize, full_speed: f64) -> Value 
         "topics": {
             "/equipment": { "visible": true },
             "/pellets/spheres": { "visible": spheres_up_to > 0 },
+            // Points hide inside the spheres, and stand in for them where there are too many pellets.
             "/pellets": {
-                "visible": spheres_up_to == 0,
+                "visible": true,
                 "colorMode": "colormap",
                 "colorField": "speed",
                 "colorMap": "turbo",

@@ -244,3 +244,61 @@ fn set_vector(lanes: &mut Lanes3, lane: usize, vector: Vec3) {
         lanes[axis][lane] = vector[axis];
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::{ContactLaws, Sampling};
+    use crate::{Material, PairProperties};
+
+    /// A sphere near the origin that differs from all others.
+    fn sphere(number: usize, center: Vec3) -> Sphere {
+        let phase = number as f64;
+        Sphere {
+            center,
+            radius: 7.5e-3 * (1.0 + 0.1 * phase.sin()),
+            velocity: Vec3::new(phase.cos(), (1.3 * phase).sin(), (0.7 * phase).cos()),
+            spin: 30.0 * Vec3::new((2.1 * phase).sin(), phase.cos(), 0.3),
+            inverse_mass: 150.0 * (1.0 + 0.2 * phase.cos()),
+        }
+    }
+
+    #[test]
+    fn a_batch_has_the_bits_of_its_contacts_one_by_one() {
+        let ore = Material::from_shear_modulus(3700.0, 60.0e6, 0.22);
+        let properties = PairProperties {
+            restitution: 0.5,
+            friction: 0.4,
+            rolling_friction: 0.05,
+        };
+        let pair = MaterialPair::new(&ore, &ore, &properties);
+        let laws = ContactLaws::default();
+        for sampling in [Sampling::plain(2.0e-5), Sampling::located(2.0e-5)] {
+            let mut batch = Batch::default();
+            for lane in 0..LANES {
+                let a = sphere(lane, Vec3::zeros());
+                let mut b = sphere(lane + 100, Vec3::zeros());
+                // Some lanes at their first sample, some near their last, most in the middle.
+                let depth = [1.0e-6, 1.0e-5, 1.0e-4, 4.0e-4][lane % 4];
+                b.center = Vec3::new(0.6, 0.0, 0.8) * (a.radius + b.radius - depth);
+                let history = ContactHistory {
+                    tangential_displacement: Vec3::new(8.0e-7, 3.0e-7, -6.0e-7),
+                    normal_force: if lane % 3 == 0 { 0.0 } else { 2.0 },
+                };
+                batch.set(lane, &a, &b, &history);
+                batch.set_pair(lane, &pair);
+            }
+            laws.forces(&mut batch, LANES, &sampling);
+            for lane in 0..LANES {
+                let mut history = batch.history(lane);
+                let force = laws.force(&batch.contact(lane), &pair, &mut history, &sampling);
+                assert_eq!(batch.force(lane), force, "lane {lane}, {sampling:?}");
+                assert_eq!(
+                    batch.next_history(lane),
+                    history,
+                    "lane {lane}, {sampling:?}"
+                );
+            }
+        }
+    }
+}
