@@ -1,10 +1,12 @@
 //! What may stand on the command line.
 
+pub(crate) mod accuracy;
 pub(crate) mod hit;
 pub(crate) mod impact;
 pub(crate) mod quantity;
 pub(crate) mod safe_speed;
 
+use accuracy::AccuracyArguments;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
@@ -61,6 +63,8 @@ pub(crate) enum Command {
     Impact(Box<ImpactArguments>),
     /// Tell how fast pellets may arrive before a share of them breaks.
     SafeSpeed(Box<SafeSpeedArguments>),
+    /// Run a scene over step sizes and integrators; show run time against error.
+    Accuracy(AccuracyArguments),
     /// List the named materials with their sources.
     Materials(MaterialsArguments),
     /// Print completions for a shell.

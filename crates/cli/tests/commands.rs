@@ -32,6 +32,7 @@ fn help_teaches_with_examples_units_and_exit_codes() {
         "inspect",
         "impact",
         "safe-speed",
+        "accuracy",
         "materials",
         "completions",
     ] {

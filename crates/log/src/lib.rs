@@ -4,6 +4,7 @@
 //! `summary.json` holds the run in numbers. [`inspect()`] and [`read_frames`] read a recording back,
 //! even one that was cut off.
 
+pub mod accuracy;
 mod course;
 mod error;
 mod frames;

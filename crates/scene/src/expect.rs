@@ -38,8 +38,15 @@ struct Expectation {
 enum Demand {
     Text(String),
     Truth(bool),
-    Near { value: f64, within: f64 },
-    Between { min: f64, max: f64 },
+    Near {
+        value: f64,
+        within: f64,
+        is_exact: bool,
+    },
+    Between {
+        min: f64,
+        max: f64,
+    },
 }
 
 impl Expectations {
@@ -61,6 +68,21 @@ impl Expectations {
     /// Whether nothing is expected.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
+    }
+
+    /// Keys of the summary whose values are known exactly, with these, each in the unit of its key.
+    pub fn exact(&self) -> Vec<(String, f64)> {
+        self.0
+            .iter()
+            .filter_map(|Expectation { key, demand }| match demand {
+                Demand::Near {
+                    value,
+                    is_exact: true,
+                    ..
+                } => Some((key.clone(), *value)),
+                _ => None,
+            })
+            .collect()
     }
 
     /// Holds every expectation against a summary.
@@ -102,6 +124,7 @@ fn collect(
             EntrySpec::Number(value) => Demand::Near {
                 value: *value,
                 within: tolerance * value.abs(),
+                is_exact: false,
             },
             EntrySpec::Condition(condition) => match demand_of(condition, tolerance) {
                 Ok(demand) => demand,
@@ -123,6 +146,7 @@ fn demand_of(condition: &ConditionSpec, tolerance: f64) -> Result<Demand, &'stat
             Err("`value` goes with `relative` or `absolute`, not with `min` and `max`")
         }
         None if has_margin => Err("`relative` and `absolute` need a `value`"),
+        None if condition.exact.is_some() => Err("`exact` needs a `value`"),
         Some(_) if condition.relative.is_some() && condition.absolute.is_some() => {
             Err("`relative` and `absolute` are both given; keep one")
         }
@@ -133,6 +157,7 @@ fn demand_of(condition: &ConditionSpec, tolerance: f64) -> Result<Demand, &'stat
                 (None, Some(relative)) => relative.0 * value.abs(),
                 (None, None) => tolerance * value.abs(),
             },
+            is_exact: condition.exact == Some(true),
         }),
         None if !has_bounds => Err("nothing is expected; give `min`, `max` or `value`"),
         None => {
@@ -184,7 +209,7 @@ impl Demand {
         match self {
             Self::Text(text) => found.as_str() == Some(text),
             Self::Truth(truth) => found.as_bool() == Some(*truth),
-            Self::Near { value, within } => found
+            Self::Near { value, within, .. } => found
                 .as_f64()
                 .is_some_and(|found| (found - value).abs() <= *within),
             Self::Between { min, max } => found
@@ -199,10 +224,10 @@ impl fmt::Display for Demand {
         match self {
             Self::Text(text) => f.write_str(text),
             Self::Truth(truth) => write!(f, "{truth}"),
-            Self::Near { value, within } if *within <= TOLERANCE * value.abs() => {
+            Self::Near { value, within, .. } if *within <= TOLERANCE * value.abs() => {
                 f.write_str(&show(*value))
             }
-            Self::Near { value, within } => write!(f, "{} ± {}", show(*value), show(*within)),
+            Self::Near { value, within, .. } => write!(f, "{} ± {}", show(*value), show(*within)),
             Self::Between { min, max } if max.is_infinite() => write!(f, "at least {}", show(*min)),
             Self::Between { min, max } if min.is_infinite() => write!(f, "at most {}", show(*max)),
             Self::Between { min, max } => write!(f, "{} to {}", show(*min), show(*max)),

@@ -7,14 +7,13 @@ mod curves;
 use crate::args::impact::ImpactArguments;
 use crate::commands::hit::bad_input;
 use crate::exit::{Exit, Failure};
+use crate::file;
 use crate::screen;
 use crate::table::{self, number};
 use cases::{Case, Cases};
 use pelletflow_impact::{Impact, LogisticFit};
-use pelletflow_log::plot::Chart;
 use serde_json::{Value, json};
 use std::fmt::Write;
-use std::path::Path;
 
 /// A hit that was asked for, and what it comes to.
 struct Followed {
@@ -25,7 +24,9 @@ struct Followed {
 /// Follows one hit per speed from first touch to release.
 pub(crate) fn impact(arguments: &ImpactArguments) -> Result<Exit, Failure> {
     if arguments.figure == Some(9) {
-        draw(arguments.plot.as_deref(), curves::chart)?;
+        if let Some(path) = &arguments.plot {
+            file::draw(path, &curves::chart())?;
+        }
         return show(arguments, curves::json, curves::page);
     }
     let Cases { title, view, all } = Cases::new(arguments)?;
@@ -36,11 +37,11 @@ pub(crate) fn impact(arguments: &ImpactArguments) -> Result<Exit, Failure> {
             Err(error) => Err(bad_input(format!("{}: {error}", case.label))),
         })
         .collect::<Result<Vec<_>, Failure>>()?;
-    draw(arguments.plot.as_deref(), || {
-        chart::chart(&title, view, &hits)
-    })?;
+    if let Some(path) = &arguments.plot {
+        file::draw(path, &chart::chart(&title, view, &hits))?;
+    }
     if let Some(path) = &arguments.csv {
-        write(path, &csv(&hits))?;
+        file::write(path, &csv(&hits))?;
     }
     show(
         arguments,
@@ -63,28 +64,6 @@ fn show(
         }
     }
     Ok(Exit::Done)
-}
-
-fn draw(path: Option<&Path>, chart: impl FnOnce() -> Chart) -> Result<(), Failure> {
-    let Some(path) = path else {
-        return Ok(());
-    };
-    let svg = chart()
-        .to_svg()
-        .map_err(|error| bad_input(error.to_string()))?;
-    write(path, &svg)
-}
-
-fn write(path: &Path, text: &str) -> Result<(), Failure> {
-    std::fs::write(path, text).map_err(|error| {
-        Failure::new(
-            Exit::InputOutput,
-            format!(
-                "{} cannot be written: {error}; name another file",
-                path.display()
-            ),
-        )
-    })
 }
 
 fn page(title: &str, hits: &[Followed]) -> String {

@@ -49,6 +49,8 @@ pub(crate) struct ConditionSpec {
     /// Amount by which it may differ, in the unit of the value.
     #[schemars(extend("minimum" = 0.0))]
     pub(crate) absolute: Option<f64>,
+    /// Whether the value is known exactly, so that `pelletflow accuracy` may hold errors against it; false where left out.
+    pub(crate) exact: Option<bool>,
 }
 
 /// Keys of a summary hold dots, as names of tables may not.
