@@ -245,8 +245,8 @@ fn growth(request: &AccuracyRequest, base: &Outcome, nudged: &Outcome) -> f64 {
 /// What errors are held against and measured by.
 struct Scale {
     keys: Vec<String>,
-    /// Mean and half width of the interval, by quantity.
-    values: Vec<Estimate>,
+    /// By quantity.
+    values: Vec<Mean>,
     /// The single run whose places count, where the flow is not chaotic.
     places: Option<Outcome>,
 }
@@ -275,7 +275,7 @@ impl Scale {
         for (place, key) in trial::KEYS.iter().enumerate() {
             let samples: Vec<f64> = runs.iter().map(|run| run.values[place]).collect();
             let known = request.exact.iter().find(|(exact, _)| exact == key);
-            let value = known.map_or_else(|| mean(&samples), |&(_, value)| Estimate::exact(value));
+            let value = known.map_or_else(|| mean(&samples), |&(_, value)| Mean::exact(value));
             // A quantity that is nothing has no relative error.
             if value.value.abs() > f64::MIN_POSITIVE {
                 keys.push((*key).to_owned());
@@ -309,18 +309,36 @@ impl Scale {
         });
         let of_places = self.places.iter().zip(outcomes).map(|(places, outcome)| {
             let distance = places.distance(outcome).unwrap_or(f64::INFINITY);
-            Estimate::exact(distance / places.diameter)
+            Estimate {
+                value: distance / places.diameter,
+                half_width: 0.0,
+            }
         });
         of_values.chain(of_places).collect()
     }
 }
 
+/// A mean and half the width of its confidence interval, in the unit of the quantity.
+struct Mean {
+    value: f64,
+    half_width: f64,
+}
+
+impl Mean {
+    fn exact(value: f64) -> Self {
+        Self {
+            value,
+            half_width: 0.0,
+        }
+    }
+}
+
 /// The mean of samples with its confidence interval, by Student's t.
-fn mean(samples: &[f64]) -> Estimate {
+fn mean(samples: &[f64]) -> Mean {
     let value = samples.mean();
     let count = samples.len() as f64;
     let half_width = StudentsT::new(0.0, 1.0, count - 1.0).map_or(0.0, |student| {
         student.inverse_cdf(0.5 * (1.0 + CONFIDENCE)) * samples.std_dev() / count.sqrt()
     });
-    Estimate { value, half_width }
+    Mean { value, half_width }
 }

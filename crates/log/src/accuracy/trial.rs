@@ -5,26 +5,19 @@ use pelletflow_core::Vec3;
 use pelletflow_sim::{Integrator, Model, Setup, SetupError, Simulation, StepError, StepRequest};
 use std::time::Instant;
 
-/// A number and how sure it is, both in the unit of the quantity, or [-] for an error.
+/// A relative error and how sure it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Estimate {
-    /// The number.
+    /// The error [-].
     pub value: f64,
-    /// Half the width of its 95 % confidence interval; 0 where it is no mean.
+    /// Half the width of its 95 % confidence interval; 0 where it is that of one run [-].
     pub half_width: f64,
 }
 
 impl Estimate {
-    /// The largest value that cannot be ruled out, in the same unit.
+    /// The largest error that cannot be ruled out [-].
     pub fn bound(&self) -> f64 {
         self.value + self.half_width
-    }
-
-    pub(super) fn exact(value: f64) -> Self {
-        Self {
-            value,
-            half_width: 0.0,
-        }
     }
 }
 
