@@ -65,12 +65,15 @@ impl Tangential for Mindlin {
             1.0
         };
         let force = share * stuck;
-        let slid = (force + damping * sliding) * (-1.0 / stiffness);
-        let reached = Vec3::new(
-            if is_sliding { slid.x } else { tried.x },
-            if is_sliding { slid.y } else { tried.y },
-            if is_sliding { slid.z } else { tried.z },
-        );
+        // The damper may hold the cap alone; the spring then goes on until it holds it, and no farther.
+        let tried_squared = tried.norm_squared();
+        let longest = cap / stiffness;
+        let kept = if tried_squared > longest * longest {
+            longest / tried_squared.sqrt()
+        } else {
+            1.0
+        };
+        let reached = kept * tried;
         TangentialForce {
             force,
             displacement: reached + half_growth,
