@@ -77,6 +77,7 @@ Writes into the directory:
   run.mcap      recording, for Foxglove, Lichtblick and Rerun
   summary.json  the run in numbers, each key with its unit
   scene.toml    the scene as it was run, with every --set in it
+  layout.json   what Foxglove and Lichtblick show, to be opened there beside the recording
 
 Examples:
   pelletflow run hopper.toml

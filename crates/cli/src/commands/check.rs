@@ -48,7 +48,11 @@ impl Forecast {
         let end_time = scene.plan.end_time;
         let filled = simulation.pellet_count() as f64;
         let inlets = &scene.setup.inlets;
-        let fed: f64 = inlets.iter().map(|inlet| fed(scene, inlet)).sum();
+        // Not `sum`, which is −0 where there is no inlet.
+        let fed = inlets
+            .iter()
+            .map(|inlet| fed(scene, inlet))
+            .fold(0.0, |total, fed| total + fed);
         let steps = (end_time / scene.model.time_step().seconds).ceil();
         let threads = simulation.threads();
         // As if none left: fed pellets are there for half of the time on average.

@@ -136,7 +136,7 @@ fn page(
         let header = ["expectation", "expected", "found", ""];
         sections.push(table::listing(header, &[], rows));
     }
-    let files = ["run.mcap", "summary.json", "scene.toml"]
+    let files = ["run.mcap", "summary.json", "scene.toml", "layout.json"]
         .map(|file| (file.into(), directory.join(file).display().to_string()));
     sections.push(table::facts(files));
     sections.join("\n\n")
