@@ -1,7 +1,7 @@
 //! How a command ends.
 
 use pelletflow_log::{ReadError, RunError};
-use pelletflow_scene::{Mistakes, SceneError};
+use pelletflow_scene::{Mistakes, SceneError, StrengthCardError};
 use std::io;
 
 /// What the exit code says.
@@ -22,6 +22,17 @@ pub(crate) enum Exit {
 impl Exit {
     pub(crate) fn code(self) -> u8 {
         self as u8
+    }
+
+    /// Of a file that is to be read and cannot be.
+    fn unreadable(source: &io::Error) -> Self {
+        match source.kind() {
+            // The name is wrong, and not the disk.
+            io::ErrorKind::NotFound
+            | io::ErrorKind::IsADirectory
+            | io::ErrorKind::NotADirectory => Self::BadInput,
+            _ => Self::InputOutput,
+        }
     }
 }
 
@@ -58,14 +69,18 @@ impl From<SceneError> for Failure {
         match error {
             SceneError::Invalid(mistakes) => mistakes.into(),
             SceneError::Unreadable { ref source, .. } => {
-                let exit = match source.kind() {
-                    // The name is wrong, and not the disk.
-                    io::ErrorKind::NotFound
-                    | io::ErrorKind::IsADirectory
-                    | io::ErrorKind::NotADirectory => Exit::BadInput,
-                    _ => Exit::InputOutput,
-                };
-                Self::new(exit, error.to_string())
+                Self::new(Exit::unreadable(source), error.to_string())
+            }
+        }
+    }
+}
+
+impl From<StrengthCardError> for Failure {
+    fn from(error: StrengthCardError) -> Self {
+        match error {
+            StrengthCardError::Invalid(mistakes) => mistakes.into(),
+            StrengthCardError::Unreadable { ref source, .. } => {
+                Self::new(Exit::unreadable(source), error.to_string())
             }
         }
     }

@@ -11,9 +11,8 @@ use pelletflow_impact::strength::CONFIDENCE;
 use pelletflow_impact::{
     Arrival, Damping, ImpactError, Interval, SafeSpeed, Scatter, Slip, Strength,
 };
-use pelletflow_scene::{StrengthCard, StrengthCardError};
+use pelletflow_scene::StrengthCard;
 use serde_json::{Value, json};
-use std::io;
 
 /// What an elastic force cannot know.
 const WARNINGS: [&str; 3] = [
@@ -175,24 +174,6 @@ fn interval_basis(strength: &Strength, moduli: &Moduli) -> String {
 
 fn refused(error: &ImpactError) -> Failure {
     bad_input(error.to_string())
-}
-
-impl From<StrengthCardError> for Failure {
-    fn from(error: StrengthCardError) -> Self {
-        match error {
-            StrengthCardError::Invalid(mistakes) => mistakes.into(),
-            StrengthCardError::Unreadable { ref source, .. } => {
-                let exit = match source.kind() {
-                    // The name is wrong, and not the disk.
-                    io::ErrorKind::NotFound
-                    | io::ErrorKind::IsADirectory
-                    | io::ErrorKind::NotADirectory => Exit::BadInput,
-                    _ => Exit::InputOutput,
-                };
-                Self::new(exit, error.to_string())
-            }
-        }
-    }
 }
 
 struct Answer {
