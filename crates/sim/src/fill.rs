@@ -190,13 +190,22 @@ fn overlap_with_wall(
         .find(|(_, overlap)| *overlap > allowed)
         .map(|(wall, overlap)| {
             SetupError::new(
-                format!("fill.{}.region", fill.name),
+                seats_key(fill),
                 format!(
                     "a pellet at ({:.4}, {:.4}, {:.4}) m overlaps wall `{}` by {overlap:.4} m; keep the region clear of every wall",
                     position.x, position.y, position.z, wall.name
                 ),
             )
         })
+}
+
+/// Key of the scene that says where the pellets of a fill are put.
+fn seats_key(fill: &Fill) -> String {
+    let key = match fill.seats {
+        Seats::Lattice { .. } => "region",
+        Seats::Points(_) => "at",
+    };
+    format!("fill.{}.{key}", fill.name)
 }
 
 fn overlap_of_fills(
@@ -224,7 +233,7 @@ fn overlap_of_fills(
         });
         overlapping.map(|(other, overlap)| {
             SetupError::new(
-                format!("fill.{}.region", fill_of(index).name),
+                seats_key(fill_of(index)),
                 format!(
                     "its pellet {index} overlaps pellet {other}, of fill `{}`, by {overlap:.4} m; keep them apart",
                     fill_of(other).name

@@ -30,6 +30,12 @@ pub(crate) fn check(arguments: &CheckArguments) -> Result<Exit, Failure> {
     Ok(Exit::Done)
 }
 
+/// A number of things, with the plural where it is due.
+fn numbered(what: &str, number: usize) -> String {
+    let plural = if number == 1 { "" } else { "s" };
+    format!("{number} {what}{plural}")
+}
+
 /// What a run will do.
 struct Forecast {
     filled: f64,
@@ -81,13 +87,14 @@ impl Forecast {
             ("pellets fed at most".into(), count(self.fed as u64)),
             (
                 "equipment".into(),
-                format!(
-                    "{} walls, {} inlets, {} outlets, {} meters",
-                    setup.walls.len(),
-                    setup.inlets.len(),
-                    setup.outlets.len(),
-                    setup.meters.len()
-                ),
+                [
+                    ("wall", setup.walls.len()),
+                    ("inlet", setup.inlets.len()),
+                    ("outlet", setup.outlets.len()),
+                    ("meter", setup.meters.len()),
+                ]
+                .map(|(what, number)| numbered(what, number))
+                .join(", "),
             ),
             (
                 "simulated time".into(),
@@ -102,7 +109,7 @@ impl Forecast {
                 format!("{} m/s", number(step.expected_speed)),
             ),
             ("steps".into(), count(self.steps as u64)),
-            ("frames".into(), count(self.frames as u64)),
+            ("frames recorded".into(), count(self.frames as u64)),
             ("threads".into(), self.threads.to_string()),
             (
                 "memory".into(),
