@@ -33,6 +33,7 @@ fn pair(restitution: f64, friction: f64) -> PairProperties {
         restitution,
         friction,
         rolling_friction: 0.0,
+        ..PairProperties::ELASTIC
     }
 }
 

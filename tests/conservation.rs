@@ -3,7 +3,7 @@
 mod common;
 
 use common::{RADIUS, floor, one, pellet, setup, simulation, smooth, wall};
-use pelletflow::core::contact::{RollingLaw, TangentialLaw};
+use pelletflow::core::contact::{TangentialLaw, TurningLaw};
 use pelletflow::core::{PairProperties, Shape, Vec3};
 use pelletflow::sim::{Fill, FillAmount, Integrator, Seats, Setup, Simulation};
 
@@ -52,6 +52,7 @@ fn momentum_of_a_closed_system_is_conserved_to_rounding() {
         restitution: 0.5,
         friction: 0.5,
         rolling_friction: 0.1,
+        ..PairProperties::ELASTIC
     }));
     let (before, _) = momentum(&simulation);
     simulation.advance(3000).expect("blocks may collide");
@@ -74,6 +75,7 @@ fn angular_momentum_of_a_closed_system_is_conserved() {
         restitution: 0.7,
         friction: 0.5,
         rolling_friction: 0.0,
+        ..PairProperties::ELASTIC
     }));
     let (before, _) = angular_momentum(&simulation);
     simulation.advance(3000).expect("blocks may collide");
@@ -90,7 +92,7 @@ fn angular_momentum_of_a_closed_system_is_conserved() {
 fn energy_of_elastic_frictionless_collisions_is_conserved() {
     let mut setup = colliding_blocks(smooth(1.0));
     setup.laws.tangential = TangentialLaw::None;
-    setup.laws.rolling = RollingLaw::None;
+    setup.laws.rolling = TurningLaw::None;
     let mut simulation = simulation(setup);
     let before: f64 = simulation
         .pellets()
@@ -135,6 +137,7 @@ fn pour(restitution: f64, integrator: Integrator) -> (bool, f64) {
         restitution,
         friction: 0.5,
         rolling_friction: 0.1,
+        ..PairProperties::ELASTIC
     };
     let mut setup = setup(properties, properties);
     setup.gravity = common::GRAVITY;
@@ -185,6 +188,7 @@ fn a_belt_does_the_work_that_the_ledger_enters() {
         restitution: 0.5,
         friction: 0.4,
         rolling_friction: 0.0,
+        ..PairProperties::ELASTIC
     };
     let mut setup = setup(smooth(1.0), properties);
     setup.gravity = common::GRAVITY;

@@ -15,6 +15,7 @@ fn busy_scene() -> Setup {
         restitution: 0.5,
         friction: 0.5,
         rolling_friction: 0.1,
+        ..PairProperties::ELASTIC
     };
     let mut setup = setup(properties, properties);
     setup.gravity = common::GRAVITY;
@@ -135,7 +136,7 @@ fn skipping_rotation_where_no_law_turns_a_pellet_changes_no_bit() {
     let run = |rotation| {
         let mut setup = busy_scene();
         setup.laws.tangential = pelletflow::core::contact::TangentialLaw::None;
-        setup.laws.rolling = pelletflow::core::contact::RollingLaw::None;
+        setup.laws.rolling = pelletflow::core::contact::TurningLaw::None;
         setup.skips.rotation = rotation;
         hash_after(setup, 1, 2000)
     };

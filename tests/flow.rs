@@ -13,6 +13,7 @@ const ROUGH: PairProperties = PairProperties {
     restitution: 0.5,
     friction: 0.5,
     rolling_friction: 0.05,
+    ..PairProperties::ELASTIC
 };
 
 /// A feeder over an open shaft with an outlet below.

@@ -26,6 +26,7 @@ fn a_hundred_thousand_pellets_fit_in_200_megabytes() {
         restitution: 0.5,
         friction: 0.5,
         rolling_friction: 0.1,
+        ..PairProperties::ELASTIC
     };
     let mut setup = setup(properties, properties);
     setup.fills = vec![Fill {

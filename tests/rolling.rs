@@ -49,6 +49,7 @@ fn a_sliding_ball_ends_up_rolling_at_five_sevenths_of_its_speed() {
             restitution: 0.5,
             friction,
             rolling_friction: 0.0,
+            ..PairProperties::ELASTIC
         };
         let mut simulation = on_plane(0.0, properties, speed);
         let ball = run(&mut simulation, 3.0 * 2.0 * speed / (7.0 * friction * 9.81));
@@ -64,6 +65,7 @@ fn sliding_lasts_two_sevenths_of_the_speed_over_friction_and_gravity() {
         restitution: 0.5,
         friction,
         rolling_friction: 0.0,
+        ..PairProperties::ELASTIC
     };
     let sliding_time = 2.0 * speed / (7.0 * friction * 9.81);
     let mut simulation = on_plane(0.0, properties, speed);
@@ -82,6 +84,7 @@ fn a_ball_on_an_incline_slips_just_above_the_angle_that_friction_and_rolling_all
             restitution: 0.5,
             friction,
             rolling_friction,
+            ..PairProperties::ELASTIC
         };
         // Rolling down, friction must turn the ball: F/N = 2/7 tan(angle) + 5/7 μ_r, at most μ.
         let critical: f64 = 3.5 * friction - 2.5 * rolling_friction;
@@ -113,6 +116,7 @@ fn a_rolling_ball_slows_down_by_five_sevenths_of_rolling_friction() {
             restitution: 0.5,
             friction,
             rolling_friction,
+            ..PairProperties::ELASTIC
         },
         1.0,
     );
@@ -133,6 +137,7 @@ fn a_ball_below_the_angle_of_rolling_friction_stays_where_it_is() {
         restitution: 0.5,
         friction: 0.5,
         rolling_friction: 0.2,
+        ..PairProperties::ELASTIC
     };
     let mut simulation = on_plane(0.1_f64.atan(), properties, 0.0);
     let start = pellet(&simulation, 0).position;

@@ -1,6 +1,6 @@
 //! The silo of the peer comparison: a cylinder over a 60° cone with an outlet of radius 60 mm, closed by a floor.
 
-use pelletflow::core::contact::RollingLaw;
+use pelletflow::core::contact::TurningLaw;
 use pelletflow::core::{
     Bounds, ContactLaws, Material, PairProperties, Profile, Shape, UnitVector3, Vec3,
 };
@@ -61,6 +61,7 @@ pub(crate) fn silo(pellets: usize, radius: f64) -> Setup {
                 restitution: 0.5,
                 friction: 0.5,
                 rolling_friction: 0.0,
+                ..PairProperties::ELASTIC
             },
         )],
         pellets: vec![PelletKind {
@@ -69,7 +70,8 @@ pub(crate) fn silo(pellets: usize, radius: f64) -> Setup {
             size: SizeDistribution::Single { diameter: DIAMETER },
         }],
         laws: ContactLaws {
-            rolling: RollingLaw::None,
+            rolling: TurningLaw::None,
+            twisting: TurningLaw::None,
             ..ContactLaws::default()
         },
         walls: vec![

@@ -69,6 +69,7 @@ pub(crate) fn smooth(restitution: f64) -> PairProperties {
         restitution,
         friction: 0.0,
         rolling_friction: 0.0,
+        ..PairProperties::ELASTIC
     }
 }
 

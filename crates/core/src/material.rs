@@ -2,7 +2,7 @@
 
 pub mod library;
 
-use crate::contact::hertz;
+use crate::contact::normal;
 use serde::{Deserialize, Serialize};
 
 /// An isotropic elastic material.
@@ -47,6 +47,27 @@ pub struct PairProperties {
     pub friction: f64,
     /// Coefficient of rolling friction: lever arm of the resisting torque over the effective radius [-].
     pub rolling_friction: f64,
+    /// Damping of rolling and twisting over critical damping, where a spring resists them [-].
+    pub rolling_damping: f64,
+    /// Stiffness of a linear contact, where there is one [N/m].
+    pub stiffness: Option<f64>,
+    /// Pressure in the middle of a contact at which the softer body yields, where one does [Pa].
+    pub yield_pressure: Option<f64>,
+    /// Work of adhesion, where the bodies stick: what parting takes per area of contact [J/m²].
+    pub surface_energy: Option<f64>,
+}
+
+impl PairProperties {
+    /// Elastic and smooth, to start from; rolling is damped as by Ai et al. (2011).
+    pub const ELASTIC: Self = Self {
+        restitution: 1.0,
+        friction: 0.0,
+        rolling_friction: 0.0,
+        rolling_damping: 0.3,
+        stiffness: None,
+        yield_pressure: None,
+        surface_energy: None,
+    };
 }
 
 /// The effective values of two materials in contact.
@@ -64,9 +85,34 @@ pub struct MaterialPair {
     pub friction: f64,
     /// Coefficient of rolling friction [-].
     pub rolling_friction: f64,
+    /// Damping of rolling and twisting over critical damping [-].
+    pub rolling_damping: f64,
+    /// `1 / (1/G₁ + 1/G₂)`, which resists twisting [Pa].
+    pub series_shear_modulus: f64,
+    /// Stiffness of a linear contact; not a number where none is given [N/m].
+    pub linear_stiffness: f64,
+    /// Pressure in the middle of a contact at which the softer body yields [Pa].
+    pub yield_pressure: f64,
+    /// Work of adhesion [J/m²].
+    pub surface_energy: f64,
 }
 
 impl MaterialPair {
+    /// No values, for those that set what they need.
+    pub(crate) const UNSET: Self = Self {
+        effective_youngs_modulus: f64::NAN,
+        effective_shear_modulus: f64::NAN,
+        damping_ratio: f64::NAN,
+        tangential_damping_share: f64::NAN,
+        friction: f64::NAN,
+        rolling_friction: f64::NAN,
+        rolling_damping: f64::NAN,
+        series_shear_modulus: f64::NAN,
+        linear_stiffness: f64::NAN,
+        yield_pressure: f64::NAN,
+        surface_energy: f64::NAN,
+    };
+
     /// The effective values of `a` touching `b`.
     pub fn new(a: &Material, b: &Material, properties: &PairProperties) -> Self {
         let compliance = |m: &Material| (1.0 - m.poisson_ratio.powi(2)) / m.youngs_modulus;
@@ -78,9 +124,14 @@ impl MaterialPair {
             effective_shear_modulus,
             tangential_damping_share: (4.0 * effective_shear_modulus / effective_youngs_modulus)
                 .sqrt(),
-            damping_ratio: hertz::damping_ratio_for_clamped_restitution(properties.restitution),
+            damping_ratio: normal::damping_ratio_for_clamped_restitution(properties.restitution),
             friction: properties.friction,
             rolling_friction: properties.rolling_friction,
+            rolling_damping: properties.rolling_damping,
+            series_shear_modulus: 1.0 / (1.0 / a.shear_modulus() + 1.0 / b.shear_modulus()),
+            linear_stiffness: properties.stiffness.unwrap_or(f64::NAN),
+            yield_pressure: properties.yield_pressure.unwrap_or(f64::INFINITY),
+            surface_energy: properties.surface_energy.unwrap_or(0.0),
         }
     }
 }
@@ -94,15 +145,7 @@ mod tests {
         // E* = 1 / ((1 − 0.22²) / 146.4 MPa + (1 − 0.28²) / 207.36 GPa), by hand.
         let pellet = Material::from_shear_modulus(3700.0, 60.0e6, 0.22);
         let steel = Material::from_shear_modulus(7800.0, 81.0e9, 0.28);
-        let pair = MaterialPair::new(
-            &pellet,
-            &steel,
-            &PairProperties {
-                restitution: 1.0,
-                friction: 0.0,
-                rolling_friction: 0.0,
-            },
-        );
+        let pair = MaterialPair::new(&pellet, &steel, &PairProperties::ELASTIC);
         assert!((pair.effective_youngs_modulus / 153.74e6 - 1.0).abs() < 5.0e-5);
     }
 

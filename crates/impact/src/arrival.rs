@@ -79,6 +79,7 @@ impl Arrival {
             restitution: 1.0,
             friction: self.friction,
             rolling_friction: 0.0,
+            ..PairProperties::ELASTIC
         };
         MaterialPair::new(&self.pellet, &self.surface, &properties)
     }

@@ -5,7 +5,7 @@
 
 use crate::error::ImpactError;
 use crate::{ElasticImpact, error};
-use pelletflow_core::contact::hertz;
+use pelletflow_core::contact::normal;
 
 /// How a hit loses energy along the normal.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,7 +26,7 @@ impl Damping {
         match *self {
             Self::None => Some(0.0),
             Self::Restitution(restitution) => {
-                Some(hertz::damping_ratio_for_clamped_restitution(restitution))
+                Some(normal::damping_ratio_for_clamped_restitution(restitution))
             }
             Self::RestitutionWithPull(restitution) => {
                 let log = restitution.ln();

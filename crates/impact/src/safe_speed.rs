@@ -99,6 +99,7 @@ mod tests {
             restitution: 1.0,
             friction: 0.0,
             rolling_friction: 0.0,
+            ..PairProperties::ELASTIC
         };
         let radius = 6.0e-3_f64;
         let mass = 3800.0 * 4.0 / 3.0 * std::f64::consts::PI * radius.powi(3);

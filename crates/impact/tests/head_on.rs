@@ -3,7 +3,7 @@
 mod common;
 
 use common::{is_near, papers_pellet};
-use pelletflow_core::contact::hertz;
+use pelletflow_core::contact::normal;
 use pelletflow_impact::damping::approach_share;
 use pelletflow_impact::elastic::SPECIFIC_IMPULSE;
 use pelletflow_impact::{Damping, ElasticImpact, Impact};
@@ -129,7 +129,7 @@ fn very_heavy_damping_makes_the_peak_force_its_own() {
 fn the_greatest_approach_of_a_damped_hit_is_its_closed_form() {
     for ratio in [0.034_265, 0.255_276, 0.9, 1.0, 1.5] {
         let hit = papers_pellet(3.0);
-        let restitution = hertz::clamped_restitution(ratio);
+        let restitution = normal::clamped_restitution(ratio);
         let impact = solve(&hit, Damping::Restitution(restitution));
         let exact = approach_share(ratio) * hit.greatest_approach();
         assert!(

@@ -147,6 +147,7 @@ fn kharaz(angle: f64) -> f64 {
         restitution: 0.98,
         friction: 0.092,
         rolling_friction: 0.0,
+        ..PairProperties::ELASTIC
     };
     let pair = MaterialPair::new(&oxide, &glass, &properties);
     let radius = 2.5e-3_f64;

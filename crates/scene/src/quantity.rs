@@ -117,6 +117,10 @@ quantities! {
     TurnRate: TurnRate, Any;
     /// A force [N].
     Force: Force, Positive;
+    /// A force per length [N/m].
+    Stiffness: Stiffness, Positive;
+    /// An energy per area [J/m²].
+    SurfaceEnergy: SurfaceEnergy, Positive;
     /// A share of a whole [-].
     Share: Share, Positive;
 }

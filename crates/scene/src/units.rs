@@ -30,6 +30,10 @@ pub enum Kind {
     TurnRate,
     /// A force.
     Force,
+    /// A force per length.
+    Stiffness,
+    /// An energy per area.
+    SurfaceEnergy,
     /// A share of a whole.
     Share,
 }
@@ -62,6 +66,8 @@ const KINDS: &[KindFacts] = &[
     KindFacts { kind: Kind::Angle,        name: "angle",        phrase: "an angle",            si: "rad",   example: "30 deg",      largest: 1.0e3 },
     KindFacts { kind: Kind::TurnRate,     name: "turn-rate",    phrase: "a rate of rotation",  si: "rad/s", example: "10 rpm",      largest: 1.0e5 },
     KindFacts { kind: Kind::Force,        name: "force",        phrase: "a force",             si: "N",     example: "2 kN",        largest: 1.0e12 },
+    KindFacts { kind: Kind::Stiffness,    name: "stiffness",    phrase: "a stiffness",         si: "N/m",   example: "200 kN/m",    largest: 1.0e13 },
+    KindFacts { kind: Kind::SurfaceEnergy, name: "surface-energy", phrase: "a surface energy",  si: "J/m2",  example: "50 mJ/m2",    largest: 1.0e4 },
     KindFacts { kind: Kind::Share,        name: "share",        phrase: "a share",             si: "",      example: "0.1 %",       largest: 1.0e3 },
 ];
 
@@ -83,6 +89,8 @@ const UNITS: &[(&str, Kind, f64)] = &[
     ("rad", Kind::Angle, 1.0), ("deg", Kind::Angle, TURN / 360.0), ("°", Kind::Angle, TURN / 360.0),
     ("rad/s", Kind::TurnRate, 1.0), ("deg/s", Kind::TurnRate, TURN / 360.0), ("rpm", Kind::TurnRate, TURN / 60.0),
     ("N", Kind::Force, 1.0), ("kN", Kind::Force, 1.0e3), ("MN", Kind::Force, 1.0e6),
+    ("N/m", Kind::Stiffness, 1.0), ("kN/m", Kind::Stiffness, 1.0e3), ("MN/m", Kind::Stiffness, 1.0e6), ("N/mm", Kind::Stiffness, 1.0e3),
+    ("J/m2", Kind::SurfaceEnergy, 1.0), ("mJ/m2", Kind::SurfaceEnergy, 1.0e-3),
     ("%", Kind::Share, 1.0e-2),
 ];
 

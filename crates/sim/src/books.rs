@@ -38,12 +38,12 @@ pub struct EnergyBooks {
     pub potential: f64,
     /// In normal contact springs [J].
     pub elastic: f64,
-    /// In tangential contact springs [J].
-    pub sliding: f64,
-    /// Turned into heat by normal damping and rolling resistance so far [J].
+    /// In contact springs against sliding, rolling and twisting [J].
+    pub shear: f64,
+    /// Turned into heat by the normal direction of contacts so far [J].
     pub damped: f64,
-    /// Worked on tangential springs, dampers and sliders so far [J].
-    pub sliding_work: f64,
+    /// Worked on springs, dampers and sliders against sliding, rolling and twisting so far [J].
+    pub shear_work: f64,
     /// Brought in by pellets so far, less that taken out [J].
     pub carried_in: f64,
     /// Done by walls so far [J].
@@ -86,12 +86,12 @@ impl PelletTally {
 impl EnergyBooks {
     /// In all contact springs [J].
     pub fn stored(&self) -> f64 {
-        self.elastic + self.sliding
+        self.elastic + self.shear
     }
 
     /// Turned into heat so far [J].
     pub fn dissipated(&self) -> f64 {
-        self.damped + self.sliding_work - self.sliding
+        self.damped + self.shear_work - self.shear
     }
 
     /// What the books miss [J].

@@ -7,6 +7,7 @@ pub mod books;
 pub mod error;
 pub mod integrator;
 pub mod ledger;
+
 pub mod memory;
 pub mod meter;
 pub mod model;
@@ -30,6 +31,7 @@ mod forces;
 mod hash;
 mod health;
 mod inlet;
+mod law_needs;
 mod neighbors;
 mod pair_contacts;
 mod profile;

@@ -5,7 +5,8 @@ use crate::pellet::SizeDistribution;
 use crate::setup::Setup;
 use crate::time_step::{self, TimeStep};
 use crate::validate;
-use pelletflow_core::contact::{RollingLaw, Sampling, TangentialLaw};
+use crate::wall_contacts::LEAST_CURVATURE_SHARE;
+use pelletflow_core::contact::Sampling;
 use pelletflow_core::{ContactLaws, MaterialPair};
 
 /// A validated setup with what follows from it; a step never changes it.
@@ -29,6 +30,7 @@ struct Derived {
     largest_diameter: f64,
     has_rotation: bool,
     greatest_wall_speed: f64,
+    holding_gap: f64,
 }
 
 /// Extra reach of a neighbor list over the mean of the smallest and the largest diameter, where none is given [-].
@@ -45,8 +47,17 @@ impl Model {
             return Err(mistakes);
         }
         let time_step = time_step::choose(&setup).map_err(|mistake| vec![mistake])?;
+        let derived = Derived::new(&setup);
+        if derived.skin <= derived.holding_gap {
+            let message = format!(
+                "is {:.3e} m; expected more than {:.3e} m, the gap up to which sticky bodies hold on to each other; \
+                 leave `skin` out to have it chosen",
+                derived.skin, derived.holding_gap
+            );
+            return Err(vec![SetupError::new("contact.skin", message)]);
+        }
         Ok(Self {
-            derived: Derived::new(&setup),
+            derived,
             sampling: setup.integrator.sampling(time_step.seconds),
             setup,
             time_step,
@@ -103,8 +114,8 @@ impl Model {
         &self.sampling
     }
 
-    pub(crate) fn laws(&self) -> &ContactLaws {
-        &self.setup.laws
+    pub(crate) fn laws(&self) -> ContactLaws {
+        self.setup.laws
     }
 
     /// Whether two pellets may be of different kinds.
@@ -126,6 +137,12 @@ impl Model {
         &self.derived.pairs_with_walls[usize::from(kind) * self.setup.walls.len() + wall]
     }
 
+    /// Gap up to which some bodies that have touched hold on to each other [m].
+    #[inline]
+    pub(crate) fn holding_gap(&self) -> f64 {
+        self.derived.holding_gap
+    }
+
     /// Greatest speed of any moving wall [m/s].
     pub(crate) fn greatest_wall_speed(&self) -> f64 {
         self.derived.greatest_wall_speed
@@ -142,26 +159,33 @@ impl Derived {
         let largest_diameter = diameters()
             .map(SizeDistribution::max_diameter)
             .fold(0.0, f64::max);
-        let laws = &setup.laws;
-        let turns = laws.tangential != TangentialLaw::None || laws.rolling != RollingLaw::None;
+        let pairs_of_kinds: Vec<MaterialPair> = materials()
+            .flat_map(|a| materials().map(move |b| setup.pair(a, b)))
+            .collect();
+        let pairs_with_walls: Vec<MaterialPair> = materials()
+            .flat_map(|a| {
+                setup
+                    .walls
+                    .iter()
+                    .map(move |wall| setup.pair(a, wall.material))
+            })
+            .collect();
+        let widest = 0.5 * largest_diameter / LEAST_CURVATURE_SHARE;
+        let holding_gap = pairs_of_kinds
+            .iter()
+            .chain(&pairs_with_walls)
+            .map(|pair| setup.laws.holding_gap(widest, pair))
+            .fold(0.0, f64::max);
         Self {
-            pairs_of_kinds: materials()
-                .flat_map(|a| materials().map(move |b| setup.pair(a, b)))
-                .collect(),
-            pairs_with_walls: materials()
-                .flat_map(|a| {
-                    setup
-                        .walls
-                        .iter()
-                        .map(move |wall| setup.pair(a, wall.material))
-                })
-                .collect(),
-            skin: setup
-                .skin
-                .unwrap_or(SKIN_SHARE * f64::midpoint(smallest_diameter, largest_diameter)),
+            pairs_of_kinds,
+            pairs_with_walls,
+            holding_gap,
+            skin: setup.skin.unwrap_or(
+                SKIN_SHARE * f64::midpoint(smallest_diameter, largest_diameter) + holding_gap,
+            ),
             smallest_diameter,
             largest_diameter,
-            has_rotation: turns || !setup.skips.rotation,
+            has_rotation: setup.laws.turns() || !setup.skips.rotation,
             greatest_wall_speed: setup
                 .walls
                 .iter()

@@ -1,13 +1,13 @@
 //! Neighbors: storage order, lists, and the contacts' memory carried from the old lists to the new.
 
 use crate::chunk;
-use crate::memory::ContactMemory;
+use crate::memory::Side;
 use crate::model::Model;
 use crate::setup::NeighborSearch;
 use crate::state::{ChunkContacts, Pellets, Row, State, vector};
 use crate::workspace::{ChunkList, NearWall, Workspace};
 use pelletflow_broadphase::{Grid, Search, Tree, WallTree, morton};
-use pelletflow_core::Bounds;
+use pelletflow_core::{Bounds, ContactLaws};
 use std::ops::Range;
 
 /// Size ratio up to which the grid finds neighbors faster than the tree [-] (measured: 1:3 to 1:4).
@@ -19,7 +19,7 @@ pub(crate) fn is_search_due(model: &Model, state: &State) -> bool {
         * model.time_step().seconds
         * (state.steps_since_search + 1) as f64;
     let moved = state.moved_since_search;
-    moved + moved.max(walls_moved) > model.skin()
+    moved + moved.max(walls_moved) > model.skin() - model.holding_gap()
         || state.searched_position.len() != state.pellets.len()
 }
 
@@ -57,7 +57,7 @@ pub(crate) fn search(model: &Model, state: &mut State, workspace: &mut Workspace
         |range| {
             let mut list = list_partners(&search, &range);
             list.near_walls = list_walls(model, walls, &wall_tree, positions, &range);
-            let contacts = carry(&old, &list, &order, &range);
+            let contacts = carry(model.laws(), &old, &list, &order, &range);
             (list, contacts)
         },
     );
@@ -150,16 +150,21 @@ struct OldContacts<'a> {
 }
 
 impl OldContacts<'_> {
-    /// Memory that pellet `a` holds of `b`, both by old index.
-    fn of_pair(&self, a: usize, b: usize) -> Option<ContactMemory> {
+    /// Where the memory of a contact of pellets `a` and `b`, both by old index, is: chunk, slot, and whose view it is.
+    fn of_pair(&self, a: usize, b: usize) -> Option<(usize, usize, Side)> {
         if a >= self.count || b >= self.count {
             return None;
         }
-        self.listed_at(a, b)
-            .or_else(|| Some(self.listed_at(b, a)?.mirrored()))
+        let own = self
+            .listed_at(a, b)
+            .map(|(chunk, slot)| (chunk, slot, Side::Same));
+        own.or_else(|| {
+            let (chunk, slot) = self.listed_at(b, a)?;
+            Some((chunk, slot, Side::Partner))
+        })
     }
 
-    fn listed_at(&self, a: usize, b: usize) -> Option<ContactMemory> {
+    fn listed_at(&self, a: usize, b: usize) -> Option<(usize, usize)> {
         let (chunk, local) = (a / self.chunk_size, a % self.chunk_size);
         let list = &self.lists[chunk];
         let first = list.offsets[local] as usize;
@@ -167,11 +172,11 @@ impl OldContacts<'_> {
         let place = list.partners[first..end]
             .iter()
             .position(|&partner| partner as usize == b)?;
-        Some(self.contacts[chunk].pellet[first + place])
+        Some((chunk, first + place))
     }
 
-    /// Memory that pellet `a`, by old index, holds of a wall.
-    fn of_wall(&self, a: usize, wall: u32) -> Option<ContactMemory> {
+    /// Where the memory that pellet `a`, by old index, holds of a wall is: chunk and slot.
+    fn of_wall(&self, a: usize, wall: u32) -> Option<(usize, usize)> {
         if a >= self.count {
             return None;
         }
@@ -181,31 +186,41 @@ impl OldContacts<'_> {
         let place = near_walls
             .binary_search_by_key(&sought, |near| (near.pellet, near.wall))
             .ok()?;
-        Some(self.contacts[chunk].wall[place])
+        Some((chunk, place))
     }
 }
 
 fn carry(
+    laws: ContactLaws,
     old: &OldContacts,
     list: &ChunkList,
     order: &[u32],
     range: &Range<usize>,
 ) -> ChunkContacts {
     let mut contacts = ChunkContacts::default();
-    contacts.pellet.reserve(list.partners.len());
+    contacts.pellet.rows.reserve(list.partners.len());
     for (local, index) in range.clone().enumerate() {
         let a = order[index] as usize;
         let slots = list.offsets[local] as usize..list.offsets[local + 1] as usize;
         for &partner in &list.partners[slots] {
-            let memory = old.of_pair(a, order[partner as usize] as usize);
-            contacts.pellet.push(memory.unwrap_or_default());
+            match old.of_pair(a, order[partner as usize] as usize) {
+                Some((chunk, slot, side)) => {
+                    let from = &old.contacts[chunk].pellet;
+                    contacts.pellet.push_from(from, slot, side, laws);
+                }
+                None => contacts.pellet.push_new(laws),
+            }
         }
     }
     for near in &list.near_walls {
         let a = order[range.start + near.pellet as usize] as usize;
-        contacts
-            .wall
-            .push(old.of_wall(a, near.wall).unwrap_or_default());
+        match old.of_wall(a, near.wall) {
+            Some((chunk, slot)) => {
+                let from = &old.contacts[chunk].wall;
+                contacts.wall.push_from(from, slot, Side::Same, laws);
+            }
+            None => contacts.wall.push_new(laws),
+        }
     }
     contacts
 }

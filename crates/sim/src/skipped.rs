@@ -3,7 +3,7 @@
 use crate::model::Model;
 use crate::state::State;
 use crate::workspace::Workspace;
-use pelletflow_core::contact::{RollingLaw, TangentialLaw};
+use pelletflow_core::contact::{TangentialLaw, TurningLaw};
 
 /// Work that was left out.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,7 +38,7 @@ pub(crate) fn list(model: &Model, state: &State, workspace: &Workspace) -> Vec<S
             ),
         });
     }
-    if laws.rolling == RollingLaw::None {
+    if laws.rolling == TurningLaw::None {
         skipped.push(Skipped {
             what: "rolling resistance",
             reason: "the rolling law is `none`".into(),

@@ -1,7 +1,7 @@
 //! All that a restart needs.
 
 use crate::books::Books;
-use crate::memory::ContactMemory;
+use crate::memory::ContactMemories;
 use pelletflow_core::Vec3;
 
 /// Three components and one companion, so that a pellet's share of an array is one half of a cache line.
@@ -61,9 +61,9 @@ pub struct Pellets {
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ChunkContacts {
     /// With other pellets.
-    pub pellet: Vec<ContactMemory>,
+    pub pellet: ContactMemories,
     /// With walls.
-    pub wall: Vec<ContactMemory>,
+    pub wall: ContactMemories,
 }
 
 /// A pellet about to be stored.

@@ -79,9 +79,9 @@ fn enter(model: &Model, state: &mut State, contacts: ForceTally, motion: &Motion
         // Points of a settled bed start with their springs loaded.
         books.energy.carried_in += contacts.elastic_energy;
     }
-    books.energy.sliding = contacts.sliding_energy;
+    books.energy.shear = contacts.shear_energy;
     books.energy.damped += time_step * contacts.dissipation;
-    books.energy.sliding_work += time_step * contacts.sliding_power;
+    books.energy.shear_work += time_step * contacts.shear_power;
     books.energy.wall_work += time_step * contacts.wall_power;
     books.energy.wall_work_size += time_step * contacts.wall_power.abs();
     books.particle_steps += state.pellets.len() as u64;

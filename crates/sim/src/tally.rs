@@ -1,6 +1,6 @@
 //! What the contacts of one chunk did in one step; merged in chunk order.
 
-use pelletflow_core::contact::{Sampling, peak};
+use crate::model::Model;
 use pelletflow_core::{Contact, ContactForce, ContactHistory, MaterialPair, Vec3};
 
 /// The other body of a contact, by index.
@@ -29,8 +29,8 @@ pub(crate) struct ForceTally {
     pub(crate) deepest: Option<DeepestContact>,
     pub(crate) elastic_energy: f64,
     pub(crate) dissipation: f64,
-    pub(crate) sliding_energy: f64,
-    pub(crate) sliding_power: f64,
+    pub(crate) shear_energy: f64,
+    pub(crate) shear_power: f64,
     pub(crate) wall_power: f64,
     pub(crate) wall_force: Vec<Vec3>,
     /// Contacts that closed.
@@ -48,8 +48,8 @@ impl ForceTally {
             deepest: None,
             elastic_energy: 0.0,
             dissipation: 0.0,
-            sliding_energy: 0.0,
-            sliding_power: 0.0,
+            shear_energy: 0.0,
+            shear_power: 0.0,
             wall_power: 0.0,
             wall_force: vec![Vec3::zeros(); walls],
             finished: 0,
@@ -64,17 +64,19 @@ impl ForceTally {
         &mut self,
         force: &ContactForce,
         contact: impl FnOnce() -> (Contact, MaterialPair, ContactHistory),
-        sampling: &Sampling,
+        model: &Model,
     ) {
         self.open += 1;
         self.elastic_energy += force.elastic_energy;
         self.dissipation += force.dissipation;
-        self.sliding_energy += force.sliding_energy;
-        self.sliding_power += force.sliding_power;
+        self.shear_energy += force.shear_energy;
+        self.shear_power += force.shear_power;
         // Between two steps the force rises by at most a few percent; only a likely record is looked at closely.
         if force.normal > 0.9 * self.max_force {
             let (contact, pair, history) = contact();
-            let peak = peak::peak_force_near(&contact, &pair, &history, sampling);
+            let peak = model
+                .laws()
+                .peak_force_near(&contact, &pair, &history, model.sampling());
             self.max_force = self.max_force.max(peak);
         }
     }
@@ -109,8 +111,8 @@ impl ForceTally {
         }
         self.elastic_energy += other.elastic_energy;
         self.dissipation += other.dissipation;
-        self.sliding_energy += other.sliding_energy;
-        self.sliding_power += other.sliding_power;
+        self.shear_energy += other.shear_energy;
+        self.shear_power += other.shear_power;
         self.wall_power += other.wall_power;
         for (mine, theirs) in self.wall_force.iter_mut().zip(other.wall_force) {
             *mine += theirs;

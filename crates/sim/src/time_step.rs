@@ -2,8 +2,10 @@
 
 use crate::error::SetupError;
 use crate::setup::Setup;
-use pelletflow_core::{Bounds, Vec3};
+use pelletflow_core::contact::NormalLaw;
+use pelletflow_core::{Bounds, MaterialPair, Vec3};
 use pelletflow_impact::ElasticImpact;
+use std::f64::consts::PI;
 
 /// How the step is to be chosen.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,7 +45,11 @@ const LEAST_SPEED: f64 = 0.1;
 pub(crate) fn choose(setup: &Setup) -> Result<TimeStep, SetupError> {
     let expected_speed = expected_speed(setup);
     let shortest = shortest_contact(setup, expected_speed);
-    let rayleigh = rayleigh_time(setup);
+    let wave = match setup.laws.normal {
+        // A spring of given stiffness has no modulus for a wave to travel by.
+        NormalLaw::Linear => f64::INFINITY,
+        _ => rayleigh_time(setup),
+    };
     let hit = format!(
         "fastest hit expected {expected_speed:.2} m/s ({}), contact {:.1} µs",
         shortest.bodies,
@@ -53,7 +59,7 @@ pub(crate) fn choose(setup: &Setup) -> Result<TimeStep, SetupError> {
         StepRequest::PeakForceError(error) => {
             let steps = setup.integrator.steps_per_contact(error);
             let by_force = shortest.time / steps;
-            let by_wave = RAYLEIGH_SHARE * rayleigh;
+            let by_wave = RAYLEIGH_SHARE * wave;
             let share = 100.0 * error;
             if by_force <= by_wave {
                 (
@@ -63,14 +69,13 @@ pub(crate) fn choose(setup: &Setup) -> Result<TimeStep, SetupError> {
             } else {
                 let reason = format!(
                     "{RAYLEIGH_SHARE} of the Rayleigh time {:.1} µs, less than a peak force within {share} % needs; {hit}",
-                    1.0e6 * rayleigh
+                    1.0e6 * wave
                 );
                 (by_wave, reason)
             }
         }
         StepRequest::Fixed(step) => {
-            let largest =
-                (shortest.time / FEWEST_FORCED_STEPS).min(FORCED_RAYLEIGH_SHARE * rayleigh);
+            let largest = (shortest.time / FEWEST_FORCED_STEPS).min(FORCED_RAYLEIGH_SHARE * wave);
             if step > largest {
                 return Err(SetupError::new(
                     "time.step",
@@ -107,8 +112,11 @@ fn shortest_contact(setup: &Setup, speed: f64) -> ShortestContact {
         time: f64::INFINITY,
         bodies: String::new(),
     };
-    let mut enter = |impact: &ElasticImpact, bodies: String| {
-        let time = impact.contact_time();
+    let mut enter = |pair: &MaterialPair, impact: &ElasticImpact, bodies: String| {
+        let time = match setup.laws.normal {
+            NormalLaw::Linear => PI * (impact.effective_mass / pair.linear_stiffness).sqrt(),
+            _ => impact.contact_time(),
+        };
         if time < shortest.time {
             shortest = ShortestContact { time, bodies };
         }
@@ -120,27 +128,50 @@ fn shortest_contact(setup: &Setup, speed: f64) -> ShortestContact {
             let pair = setup.pair(kind.material, wall.material);
             let impact = ElasticImpact::on_plane(&pair, radius, mass, speed);
             enter(
+                &pair,
                 &impact,
                 format!("pellet `{}` on wall `{}`", kind.name, wall.name),
             );
         }
         for (b, other) in setup.pellets.iter().enumerate() {
             let other_radius = other.size.min_diameter() / 2.0;
+            let pair = setup.pair(kind.material, other.material);
             let impact = ElasticImpact {
-                effective_youngs_modulus: setup
-                    .pair(kind.material, other.material)
-                    .effective_youngs_modulus,
+                effective_youngs_modulus: pair.effective_youngs_modulus,
                 effective_radius: radius * other_radius / (radius + other_radius),
                 effective_mass: 1.0 / (1.0 / mass + 1.0 / setup.mass(b, other_radius)),
                 speed,
             };
             enter(
+                &pair,
                 &impact,
                 format!("pellet `{}` on pellet `{}`", kind.name, other.name),
             );
         }
     }
     shortest
+}
+
+/// Stiffness of a spring that stores the fastest hit expected of the smallest pellet at the overlap of Hertz [N/m].
+pub(crate) fn stiffness_of_fastest_hit(setup: &Setup, materials: [usize; 2]) -> f64 {
+    let pair = setup.pair(materials[0], materials[1]);
+    let of_materials = setup
+        .pellets
+        .iter()
+        .enumerate()
+        .filter(|(_, kind)| materials.contains(&kind.material));
+    of_materials
+        .map(|(index, kind)| {
+            let radius = kind.size.min_diameter() / 2.0;
+            let impact = ElasticImpact::on_plane(
+                &pair,
+                radius,
+                setup.mass(index, radius),
+                expected_speed(setup),
+            );
+            impact.effective_mass * (impact.speed / impact.greatest_approach()).powi(2)
+        })
+        .fold(f64::INFINITY, f64::min)
 }
 
 fn rayleigh_time(setup: &Setup) -> f64 {

@@ -2,10 +2,10 @@
 
 use crate::error::SetupError;
 use crate::inlet;
+use crate::law_needs::{self, pairs_that_meet};
 use crate::setup::{FillAmount, Inlet, Meter, Rate, Seats, Setup};
 use crate::time_step::StepRequest;
 use pelletflow_core::Vec3;
-use std::collections::BTreeSet;
 
 /// Tonnes per hour in a kilogram per second.
 const TONNES_PER_HOUR: f64 = 3.6;
@@ -23,6 +23,9 @@ pub(crate) fn mistakes(setup: &Setup) -> Vec<SetupError> {
         found.inlet(setup, inlet);
     }
     found.rest(setup);
+    if found.0.is_empty() {
+        found.0 = law_needs::missing(setup);
+    }
     found.0
 }
 
@@ -124,19 +127,32 @@ impl Mistakes {
                 "",
                 "0 or more",
             );
-        }
-        let of_pellets: BTreeSet<usize> = setup.pellets.iter().map(|kind| kind.material).collect();
-        let of_walls: BTreeSet<usize> = setup.walls.iter().map(|wall| wall.material).collect();
-        let mut named = BTreeSet::new();
-        for &a in &of_pellets {
-            for &b in of_pellets.iter().chain(&of_walls) {
-                if setup.pair_properties(a, b).is_none() && named.insert([a.min(b), a.max(b)]) {
-                    let (a, b) = (&setup.materials[a].name, &setup.materials[b].name);
-                    self.add(
-                        "pairs",
-                        format!("the pair of `{a}` and `{b}` is missing; add [pairs.\"{a}-{b}\"] with restitution, friction and rolling_friction"),
-                    );
+            let damping = properties.rolling_damping;
+            self.expect(
+                is_coefficient(damping),
+                key("rolling_damping"),
+                damping,
+                "",
+                "0 or more",
+            );
+            for (field, value, unit) in [
+                ("stiffness", properties.stiffness, "N/m"),
+                ("yield_pressure", properties.yield_pressure, "Pa"),
+                ("surface_energy", properties.surface_energy, "J/m²"),
+            ] {
+                if let Some(value) = value {
+                    let is_positive = value.is_finite() && value > 0.0;
+                    self.expect(is_positive, key(field), value, unit, "more than 0");
                 }
+            }
+        }
+        for [a, b] in pairs_that_meet(setup) {
+            if setup.pair_properties(a, b).is_none() {
+                let (a, b) = (&setup.materials[a].name, &setup.materials[b].name);
+                self.add(
+                    "pairs",
+                    format!("the pair of `{a}` and `{b}` is missing; add [pairs.\"{a}-{b}\"] with restitution, friction and rolling_friction"),
+                );
             }
         }
     }

@@ -1,7 +1,6 @@
 //! Contacts between pellets and walls.
 
 use crate::forces::ForceChunk;
-use crate::memory::ContactMemory;
 use crate::pair_contacts::add_load;
 use crate::state::vector;
 use crate::tally::Partner;
@@ -10,7 +9,7 @@ use pelletflow_core::{Contact, Vec3};
 
 /// Least curvature of a contact over the pellet's own [-]: a pellet in a hollow of nearly its own radius would
 /// otherwise be held by an infinite force.
-const LEAST_CURVATURE_SHARE: f64 = 0.05;
+pub(crate) const LEAST_CURVATURE_SHARE: f64 = 0.05;
 
 /// Adds the forces of all walls that the chunk lists.
 pub(crate) fn add_forces(chunk: &mut ForceChunk) {
@@ -18,14 +17,15 @@ pub(crate) fn add_forces(chunk: &mut ForceChunk) {
         let NearWall { pellet, wall } = chunk.list.near_walls[slot];
         let (local, wall) = (pellet as usize, wall as usize);
         let is_touching = chunk.walls[wall].is_present && touch(chunk, local, wall, slot);
-        if !is_touching && chunk.contacts.wall[slot].steps > 0 {
-            chunk.tally.finish(chunk.contacts.wall[slot].steps);
-            chunk.contacts.wall[slot] = ContactMemory::default();
+        let steps = chunk.contacts.wall.rows[slot].steps;
+        if !is_touching && steps > 0 {
+            chunk.tally.finish(steps);
+            chunk.contacts.wall.forget(slot);
         }
     }
 }
 
-/// Adds the force of one wall, if it touches the pellet.
+/// Adds the force of one wall, if it touches the pellet; tells whether they hold on to each other.
 fn touch(chunk: &mut ForceChunk, local: usize, index: usize, slot: usize) -> bool {
     let model = chunk.model;
     let a = chunk.range.start + local;
@@ -42,7 +42,8 @@ fn touch(chunk: &mut ForceChunk, local: usize, index: usize, slot: usize) -> boo
         center
     });
     let overlap = radius - surface.distance;
-    if overlap <= 0.0 {
+    let is_held = chunk.contacts.wall.rows[slot].steps > 0 && overlap > -model.holding_gap();
+    if overlap <= 0.0 && !is_held {
         return false;
     }
     let normal = if is_moving {
@@ -67,22 +68,23 @@ fn touch(chunk: &mut ForceChunk, local: usize, index: usize, slot: usize) -> boo
         effective_mass: 1.0 / chunk.pellets.velocity[a][3],
     };
     let pair = model.pair_with_wall(chunk.pellets.kind[a], index);
-    let sampling = model.sampling();
-    let memory = &mut chunk.contacts.wall[slot];
-    let last = memory.history();
+    let laws = model.laws();
+    let memories = &mut chunk.contacts.wall;
+    let last = memories.history(slot, laws);
     let mut history = last;
-    let force = model.laws().force(&contact, pair, &mut history, sampling);
-    *memory = memory.stepped(&history);
+    let force = laws.force(&contact, pair, &mut history, model.sampling());
 
     let moment: Vec3 = -arm * normal.cross(&force.force);
     add_load(&mut chunk.loads[local], &force, 1.0, moment);
-    chunk
-        .tally
-        .open(&force, || (contact, *pair, last), sampling);
+    chunk.tally.open(&force, || (contact, *pair, last), model);
     chunk.tally.open_with_walls += 1;
     chunk.tally.depth(overlap / radius, a, Partner::Wall(index));
     chunk.tally.wall_force[index] -= force.force;
     chunk.tally.wall_power +=
-        force.force.dot(&wall_velocity) + force.rolling_torque.dot(&wall_spin);
-    true
+        force.force.dot(&wall_velocity) + force.turning_torque.dot(&wall_spin);
+    let is_over = history.normal_force == 0.0;
+    if !is_over {
+        chunk.contacts.wall.step(slot, &history, laws);
+    }
+    !is_over
 }

@@ -35,8 +35,8 @@ pub struct Batch {
     velocity: Lanes3,
     spin: [Lanes3; 2],
     inverse_mass: Lanes,
-    pair: [Lanes; 6],
-    displacement: Lanes3,
+    pair: [Lanes; 7],
+    stretch: Lanes3,
     last_force: Lanes,
     reached: Lanes3,
     next_force: Lanes,
@@ -44,7 +44,7 @@ pub struct Batch {
     overlap: Lanes,
     force: Lanes3,
     twist: Lanes3,
-    rolling_torque: Lanes3,
+    turning_torque: Lanes3,
     scalar: [Lanes; 5],
 }
 
@@ -58,8 +58,8 @@ impl Default for Batch {
             velocity: lanes3,
             spin: [lanes3; 2],
             inverse_mass: lanes,
-            pair: [lanes; 6],
-            displacement: lanes3,
+            pair: [lanes; 7],
+            stretch: lanes3,
             last_force: lanes,
             reached: lanes3,
             next_force: lanes,
@@ -67,7 +67,7 @@ impl Default for Batch {
             overlap: lanes,
             force: lanes3,
             twist: lanes3,
-            rolling_torque: lanes3,
+            turning_torque: lanes3,
             scalar: [lanes; 5],
         }
     }
@@ -82,7 +82,7 @@ impl Batch {
             self.velocity[axis][lane] = a.velocity[axis] - b.velocity[axis];
             self.spin[0][axis][lane] = a.spin[axis];
             self.spin[1][axis][lane] = b.spin[axis];
-            self.displacement[axis][lane] = history.tangential_displacement[axis];
+            self.stretch[axis][lane] = history.tangential_stretch[axis];
         }
         self.last_force[lane] = history.normal_force;
         self.radius[0][lane] = a.radius;
@@ -100,6 +100,7 @@ impl Batch {
             pair.tangential_damping_share,
             pair.friction,
             pair.rolling_friction,
+            pair.linear_stiffness,
         ];
         for (lanes, value) in self.pair.iter_mut().zip(values) {
             lanes[lane] = value;
@@ -116,6 +117,8 @@ impl Batch {
             tangential_damping_share: self.pair[3][lane],
             friction: self.pair[4][lane],
             rolling_friction: self.pair[5][lane],
+            linear_stiffness: self.pair[6][lane],
+            ..MaterialPair::UNSET
         }
     }
 
@@ -149,8 +152,9 @@ impl Batch {
     #[inline]
     pub fn history(&self, lane: usize) -> ContactHistory {
         ContactHistory {
-            tangential_displacement: vector(&self.displacement, lane),
+            tangential_stretch: vector(&self.stretch, lane),
             normal_force: self.last_force[lane],
+            ..ContactHistory::default()
         }
     }
 
@@ -158,8 +162,9 @@ impl Batch {
     #[inline]
     pub fn next_history(&self, lane: usize) -> ContactHistory {
         ContactHistory {
-            tangential_displacement: vector(&self.reached, lane),
+            tangential_stretch: vector(&self.reached, lane),
             normal_force: self.next_force[lane],
+            ..ContactHistory::default()
         }
     }
 
@@ -169,31 +174,36 @@ impl Batch {
         self.is_edge[lane] > 0.0
     }
 
+    /// Notes whether the contact in a lane begins or ends near this sample.
+    #[inline]
+    pub(super) fn set_edge(&mut self, lane: usize, is_edge: bool) {
+        self.is_edge[lane] = if is_edge { 1.0 } else { 0.0 };
+    }
+
+    /// Puts what a contact does, and what it remembers from now on, into its lane.
     #[expect(
         clippy::inline_always,
         reason = "a call in the loop of a batch would keep it from using vector instructions"
     )]
     #[inline(always)]
-    pub(super) fn set_force(
+    pub fn set_force(
         &mut self,
         lane: usize,
         contact: &Contact,
         force: &ContactForce,
         history: &ContactHistory,
-        is_edge: bool,
     ) {
-        self.is_edge[lane] = if is_edge { 1.0 } else { 0.0 };
         self.next_force[lane] = history.normal_force;
         self.overlap[lane] = contact.overlap;
         set_vector(&mut self.force, lane, force.force);
         set_vector(&mut self.twist, lane, contact.normal.cross(&force.force));
-        set_vector(&mut self.rolling_torque, lane, force.rolling_torque);
-        set_vector(&mut self.reached, lane, history.tangential_displacement);
+        set_vector(&mut self.turning_torque, lane, force.turning_torque);
+        set_vector(&mut self.reached, lane, history.tangential_stretch);
         self.scalar[0][lane] = force.normal;
         self.scalar[1][lane] = force.elastic_energy;
         self.scalar[2][lane] = force.dissipation;
-        self.scalar[3][lane] = force.sliding_energy;
-        self.scalar[4][lane] = force.sliding_power;
+        self.scalar[3][lane] = force.shear_energy;
+        self.scalar[4][lane] = force.shear_power;
     }
 
     /// What the contact in a lane does.
@@ -202,11 +212,11 @@ impl Batch {
         ContactForce {
             normal: self.scalar[0][lane],
             force: vector(&self.force, lane),
-            rolling_torque: vector(&self.rolling_torque, lane),
+            turning_torque: vector(&self.turning_torque, lane),
             elastic_energy: self.scalar[1][lane],
             dissipation: self.scalar[2][lane],
-            sliding_energy: self.scalar[3][lane],
-            sliding_power: self.scalar[4][lane],
+            shear_energy: self.scalar[3][lane],
+            shear_power: self.scalar[4][lane],
         }
     }
 
@@ -248,7 +258,7 @@ fn set_vector(lanes: &mut Lanes3, lane: usize, vector: Vec3) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::{ContactLaws, Sampling};
+    use crate::contact::{ContactLaws, NormalLaw, Sampling, TangentialLaw, TurningLaw};
     use crate::{Material, PairProperties};
 
     /// A sphere near the origin that differs from all others.
@@ -263,6 +273,28 @@ mod tests {
         }
     }
 
+    /// Every composition that may have a batch.
+    fn compositions() -> Vec<ContactLaws> {
+        let mut all = Vec::new();
+        for normal in [NormalLaw::Hertz, NormalLaw::Linear] {
+            for tangential in [
+                TangentialLaw::None,
+                TangentialLaw::Coulomb,
+                TangentialLaw::Mindlin,
+            ] {
+                for rolling in [TurningLaw::None, TurningLaw::ConstantTorque] {
+                    all.push(ContactLaws {
+                        normal,
+                        tangential,
+                        rolling,
+                        twisting: TurningLaw::None,
+                    });
+                }
+            }
+        }
+        all
+    }
+
     #[test]
     fn a_batch_has_the_bits_of_its_contacts_one_by_one() {
         let ore = Material::from_shear_modulus(3700.0, 60.0e6, 0.22);
@@ -270,34 +302,40 @@ mod tests {
             restitution: 0.5,
             friction: 0.4,
             rolling_friction: 0.05,
+            stiffness: Some(1.0e5),
+            ..PairProperties::ELASTIC
         };
         let pair = MaterialPair::new(&ore, &ore, &properties);
-        let laws = ContactLaws::default();
-        for sampling in [Sampling::plain(2.0e-5), Sampling::located(2.0e-5)] {
-            let mut batch = Batch::default();
-            for lane in 0..LANES {
-                let a = sphere(lane, Vec3::zeros());
-                let mut b = sphere(lane + 100, Vec3::zeros());
-                // Some lanes at their first sample, some near their last, most in the middle.
-                let depth = [1.0e-6, 1.0e-5, 1.0e-4, 4.0e-4][lane % 4];
-                b.center = Vec3::new(0.6, 0.0, 0.8) * (a.radius + b.radius - depth);
-                let history = ContactHistory {
-                    tangential_displacement: Vec3::new(8.0e-7, 3.0e-7, -6.0e-7),
-                    normal_force: if lane % 3 == 0 { 0.0 } else { 2.0 },
-                };
-                batch.set(lane, &a, &b, &history);
-                batch.set_pair(lane, &pair);
-            }
-            laws.forces(&mut batch, LANES, &sampling);
-            for lane in 0..LANES {
-                let mut history = batch.history(lane);
-                let force = laws.force(&batch.contact(lane), &pair, &mut history, &sampling);
-                assert_eq!(batch.force(lane), force, "lane {lane}, {sampling:?}");
-                assert_eq!(
-                    batch.next_history(lane),
-                    history,
-                    "lane {lane}, {sampling:?}"
-                );
+        for laws in compositions() {
+            for sampling in [Sampling::plain(2.0e-5), Sampling::located(2.0e-5)] {
+                let mut batch = Batch::default();
+                for lane in 0..LANES {
+                    let a = sphere(lane, Vec3::zeros());
+                    let mut b = sphere(lane + 100, Vec3::zeros());
+                    // Some lanes at their first sample, some near their last, most in the middle.
+                    let depth = [1.0e-6, 1.0e-5, 1.0e-4, 4.0e-4][lane % 4];
+                    b.center = Vec3::new(0.6, 0.0, 0.8) * (a.radius + b.radius - depth);
+                    let history = ContactHistory {
+                        tangential_stretch: Vec3::new(8.0e-4, 3.0e-4, -6.0e-4),
+                        normal_force: if lane % 3 == 0 { 0.0 } else { 2.0 },
+                        ..ContactHistory::default()
+                    };
+                    batch.set(lane, &a, &b, &history);
+                    batch.set_pair(lane, &pair);
+                }
+                assert!(laws.forces(&mut batch, LANES, &sampling), "{laws:?}");
+                for lane in 0..LANES {
+                    let mut history = batch.history(lane);
+                    let force = laws.force(&batch.contact(lane), &pair, &mut history, &sampling);
+                    assert_eq!(
+                        batch.force(lane),
+                        force,
+                        "lane {lane}, {laws:?}, {sampling:?}"
+                    );
+                    let next = batch.next_history(lane);
+                    assert_eq!(next.tangential_stretch, history.tangential_stretch);
+                    assert_eq!(next.normal_force, history.normal_force);
+                }
             }
         }
     }

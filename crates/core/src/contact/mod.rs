@@ -1,26 +1,27 @@
 //! Contact laws: a touch in, a force out.
 //!
-//! A law is composed of three parts, each one file: normal, tangential and rolling.
-//! To add a part: write its file, then add its variant to the enum below and its arm to the match.
+//! A law is composed of four parts: normal, tangential, rolling and twisting. Each choice is one file.
+//! To add one: write its file in the folder of its part, then add its variant and its arm in [`laws`](self::laws).
 
 pub mod batch;
-pub mod hertz;
-pub mod mindlin;
-pub mod none;
+mod compose;
+mod laws;
+mod memory;
+pub mod normal;
 pub mod peak;
-pub mod rolling;
 pub mod sampling;
+mod spring;
+pub mod tangential;
+pub mod turning;
 
 pub use batch::Batch;
+pub use laws::{ContactLaws, NormalLaw, TangentialLaw, TurningLaw};
 pub use sampling::Sampling;
+pub use spring::SpringForce;
 
-use crate::{MaterialPair, Vec3};
-use hertz::NormalForce;
-use mindlin::{Mindlin, TangentialForce};
-use none::{NoFriction, NoRolling};
-use rolling::ConstantTorque;
-use sampling::Sample;
+use crate::Vec3;
 use serde::{Deserialize, Serialize};
+use tangential::Sliders;
 
 /// One touch, seen from body A; body B is a pellet or a wall.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,261 +43,39 @@ pub struct Contact {
 /// What a contact remembers from first touch to release.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct ContactHistory {
-    /// Elastic tangential displacement of A's surface relative to B's [m].
-    pub tangential_displacement: Vec3,
-    /// Normal force that the last step was given [N]: 0 before first touch, more than 0 from then on.
+    /// Elastic tangential displacement of A's surface relative to B's, times the root of its stiffness [√J].
+    pub tangential_stretch: Vec3,
+    /// Normal force that the last step was given [N]: 0 before first touch and after release, never in between.
     pub normal_force: f64,
+    /// Deepest overlap so far [m].
+    pub deepest_overlap: f64,
+    /// Elastic rolling of A over B, times the root of its stiffness [√J].
+    pub rolling_stretch: Vec3,
+    /// Elastic twist of A on B about the normal, times the root of its stiffness [√J].
+    pub twisting_stretch: f64,
+    /// What a contact in partial slip remembers.
+    pub sliders: Sliders,
 }
 
 /// What a contact does to body A; body B receives the negative force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactForce {
-    /// Normal force, 0 or more [N].
+    /// Normal force; less than 0 only where the bodies stick together [N].
     pub normal: f64,
     /// Force on A, normal and tangential together [N].
     pub force: Vec3,
-    /// Rolling torque on A, beside the moment of the force; B receives the negative [N·m].
-    pub rolling_torque: Vec3,
+    /// Torque on A against rolling and twisting, beside the moment of the force; B receives the negative [N·m].
+    pub turning_torque: Vec3,
     /// Energy stored in the normal spring [J].
     pub elastic_energy: f64,
-    /// Rate at which normal damping and rolling resistance turn motion into heat [W].
+    /// Rate at which the normal direction turns motion into heat [W].
     pub dissipation: f64,
-    /// Energy stored in the tangential spring [J].
-    pub sliding_energy: f64,
-    /// Rate at which sliding works on the tangential spring, damper and slider together [W].
+    /// Energy stored in the springs against sliding, rolling and twisting [J].
+    pub shear_energy: f64,
+    /// Rate at which sliding, rolling and twisting work on springs, dampers and sliders together [W].
     ///
-    /// The spring stiffens with the overlap, so what it turns into heat is known over time only: this work less the
-    /// energy stored.
-    pub sliding_power: f64,
-}
-
-/// How bodies push apart.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-#[non_exhaustive]
-pub enum NormalLaw {
-    /// Hertz's force with damping from the pair's restitution; elastic where that is 1.
-    Hertz,
-}
-
-/// How bodies resist sliding.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-#[non_exhaustive]
-pub enum TangentialLaw {
-    /// No friction.
-    None,
-    /// Mindlin's spring with history, capped by Coulomb's friction.
-    Mindlin,
-}
-
-/// How bodies resist rolling.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-#[non_exhaustive]
-pub enum RollingLaw {
-    /// No resistance.
-    None,
-    /// A torque of constant size against the rolling.
-    ConstantTorque,
-}
-
-/// The contact law of a scene, in its three parts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub struct ContactLaws {
-    /// How bodies push apart.
-    pub normal: NormalLaw,
-    /// How bodies resist sliding.
-    pub tangential: TangentialLaw,
-    /// How bodies resist rolling.
-    pub rolling: RollingLaw,
-}
-
-impl Default for ContactLaws {
-    fn default() -> Self {
-        Self {
-            normal: NormalLaw::Hertz,
-            tangential: TangentialLaw::Mindlin,
-            rolling: RollingLaw::ConstantTorque,
-        }
-    }
-}
-
-/// A tangential law.
-pub trait Tangential {
-    /// Force of a contact whose surfaces slide at `sliding` [m/s], after a `displacement` [m] so far.
-    fn force(
-        contact: &Contact,
-        pair: &MaterialPair,
-        normal: &NormalForce,
-        sliding: Vec3,
-        displacement: Vec3,
-        time_step: f64,
-    ) -> TangentialForce;
-}
-
-/// A rolling law.
-pub trait Rolling {
-    /// Torque on body A, against its rolling over B [N·m].
-    fn torque(contact: &Contact, pair: &MaterialPair, normal_force: f64, time_step: f64) -> Vec3;
-}
-
-/// Runs a generic function with the types that stand for the laws' tangential and rolling parts.
-///
-/// The choice is made outside the function, so that a loop inside it holds no branch.
-macro_rules! with_parts {
-    ($laws:expr, $function:ident ( $($argument:expr),* )) => {
-        match ($laws.normal, $laws.tangential, $laws.rolling) {
-            (NormalLaw::Hertz, TangentialLaw::None, RollingLaw::None) => {
-                $function::<NoFriction, NoRolling>($($argument),*)
-            }
-            (NormalLaw::Hertz, TangentialLaw::None, RollingLaw::ConstantTorque) => {
-                $function::<NoFriction, ConstantTorque>($($argument),*)
-            }
-            (NormalLaw::Hertz, TangentialLaw::Mindlin, RollingLaw::None) => {
-                $function::<Mindlin, NoRolling>($($argument),*)
-            }
-            (NormalLaw::Hertz, TangentialLaw::Mindlin, RollingLaw::ConstantTorque) => {
-                $function::<Mindlin, ConstantTorque>($($argument),*)
-            }
-        }
-    };
-}
-
-impl ContactLaws {
-    /// Force of one contact over one step.
-    pub fn force(
-        &self,
-        contact: &Contact,
-        pair: &MaterialPair,
-        history: &mut ContactHistory,
-        sampling: &Sampling,
-    ) -> ContactForce {
-        with_parts!(self, composed_force(contact, pair, history, sampling))
-    }
-
-    /// Forces of the first `count` contacts of a batch over one step: the same bits as one by one.
-    pub fn forces(&self, batch: &mut Batch, count: usize, sampling: &Sampling) {
-        with_parts!(self, composed_forces(batch, count, sampling));
-    }
-}
-
-/// A contact's normal direction at a sample, and how its surfaces slide.
-struct Touch {
-    sample: Sample,
-    predicted: NormalForce,
-    predicted_speed: f64,
-    sliding: Vec3,
-}
-
-fn composed_force<T: Tangential, R: Rolling>(
-    contact: &Contact,
-    pair: &MaterialPair,
-    history: &mut ContactHistory,
-    sampling: &Sampling,
-) -> ContactForce {
-    let mut touch = touch(contact, pair, history, sampling);
-    if touch.sample.is_edge {
-        touch.sample = sampling.at_edge(
-            contact,
-            &touch.predicted,
-            touch.predicted_speed,
-            history.normal_force,
-            touch.sample,
-        );
-    }
-    composed::<T, R>(contact, pair, &touch, history, sampling)
-}
-
-/// All lanes as if in the smooth middle of their contacts, then those few again that begin or end.
-fn composed_forces<T: Tangential, R: Rolling>(
-    batch: &mut Batch,
-    count: usize,
-    sampling: &Sampling,
-) {
-    let count = count.min(batch::LANES);
-    for lane in 0..count {
-        let contact = batch.contact(lane);
-        let pair = batch.pair(lane);
-        let mut history = batch.history(lane);
-        let touch = touch(&contact, &pair, &history, sampling);
-        let force = composed::<T, R>(&contact, &pair, &touch, &mut history, sampling);
-        batch.set_force(lane, &contact, &force, &history, touch.sample.is_edge);
-    }
-    if sampling.is_located() {
-        for lane in 0..count {
-            if batch.is_edge(lane) {
-                let contact = batch.contact(lane);
-                let pair = batch.pair(lane);
-                let mut history = batch.history(lane);
-                let force = composed_force::<T, R>(&contact, &pair, &mut history, sampling);
-                batch.set_force(lane, &contact, &force, &history, true);
-            }
-        }
-    }
-}
-
-#[expect(
-    clippy::inline_always,
-    reason = "a call in the loop of a batch would keep it from using vector instructions"
-)]
-#[inline(always)]
-fn touch(
-    contact: &Contact,
-    pair: &MaterialPair,
-    history: &ContactHistory,
-    sampling: &Sampling,
-) -> Touch {
-    let predicted_speed = -contact.relative_velocity.dot(&contact.normal);
-    let predicted = hertz::force(contact, pair, predicted_speed);
-    Touch {
-        sample: sampling.smooth(contact, &predicted, predicted_speed, history.normal_force),
-        predicted,
-        predicted_speed,
-        sliding: contact.relative_velocity + predicted_speed * contact.normal,
-    }
-}
-
-#[expect(
-    clippy::inline_always,
-    reason = "a call in the loop of a batch would keep it from using vector instructions"
-)]
-#[inline(always)]
-fn composed<T: Tangential, R: Rolling>(
-    contact: &Contact,
-    pair: &MaterialPair,
-    touch: &Touch,
-    history: &mut ContactHistory,
-    sampling: &Sampling,
-) -> ContactForce {
-    let Sample { law, applied, .. } = touch.sample;
-    let time_step = sampling.time_step();
-    let tangential = T::force(
-        contact,
-        pair,
-        &applied,
-        touch.sliding,
-        history.tangential_displacement,
-        time_step,
-    );
-    let rolling_torque = R::torque(contact, pair, applied.force, time_step);
-    *history = ContactHistory {
-        tangential_displacement: tangential.displacement,
-        normal_force: if applied.force > 0.0 {
-            applied.force
-        } else {
-            f64::MIN_POSITIVE
-        },
-    };
-    ContactForce {
-        normal: law.force,
-        force: applied.force * contact.normal + tangential.force,
-        rolling_torque,
-        elastic_energy: law.elastic_energy,
-        dissipation: applied.dissipation - rolling_torque.dot(&contact.relative_spin),
-        sliding_energy: tangential.elastic_energy,
-        sliding_power: tangential.power,
-    }
+    /// What becomes heat is known over time only: this work less the energy stored.
+    pub shear_power: f64,
 }
 
 #[cfg(test)]

@@ -9,7 +9,8 @@
 //! (the force gradient of Takahashi & Imada 1984 for one contact).
 
 use super::Contact;
-use super::hertz::{DAMPING_POWER, ELASTIC_POWER, NormalForce};
+use super::normal::{Normal, NormalForce};
+use super::peak::Motion;
 
 /// A rule by which samples of a force stand for its integral.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,6 +34,10 @@ pub(super) struct Sample {
     pub(super) applied: NormalForce,
     /// Whether the contact begins or ends near this sample.
     pub(super) is_edge: bool,
+    /// Time since the last sample, or since first touch [s].
+    pub(super) elapsed: f64,
+    /// Time before the sample for which a velocity stands where a spring stiffens with the contact [s].
+    pub(super) behind: f64,
 }
 
 /// Time since first touch, over a step, beyond which a contact has not begun in this step [-].
@@ -71,12 +76,13 @@ impl Sampling {
     ///
     /// The leapfrog conserves `T (1 + Δt² S / 6 m*) + V − c F² Δt² / m*` in place of `T + V`, with c of 1/24
     /// (Hairer, Lubich & Wanner 2006, section IX.3), and of 1/12 with the force gradient.
-    pub(super) fn true_motion(&self, contact: &Contact, sample: &Sample) -> (f64, f64) {
+    pub(super) fn true_motion(&self, contact: &Contact, sample: &Sample) -> Motion {
         let per_mass = self.time_step * self.time_step / contact.effective_mass;
         let share = if self.is_located() { 12.0 } else { 24.0 };
-        let overlap = contact.overlap - sample.law.force * per_mass / share;
-        let speed = sample.speed * (1.0 + sample.law.stiffness * per_mass / 12.0);
-        (overlap, speed)
+        Motion {
+            overlap: contact.overlap - sample.law.force * per_mass / share,
+            speed: sample.speed * (1.0 + sample.law.stiffness * per_mass / 12.0),
+        }
     }
 
     /// The sample in the smooth middle of a contact, whose force was `last_force` [N] at the sample before.
@@ -85,7 +91,7 @@ impl Sampling {
         reason = "a call in the loop of a batch would keep it from using vector instructions"
     )]
     #[inline(always)]
-    pub(super) fn smooth(
+    pub(super) fn smooth<N: Normal>(
         &self,
         contact: &Contact,
         predicted: &NormalForce,
@@ -101,7 +107,7 @@ impl Sampling {
             force: completed.force * softening,
             ..completed
         };
-        let next = completed.force + self.time_step * rate(&completed, contact, speed);
+        let next = completed.force + self.time_step * rate::<N>(&completed, contact, speed);
         let begins = last_force == 0.0;
         let ends = speed < 0.0 && completed.force > 0.0 && next < 0.0;
         Sample {
@@ -109,11 +115,17 @@ impl Sampling {
             law,
             applied: law,
             is_edge: (begins || ends) && self.gradient > 0.0,
+            elapsed: if begins {
+                0.5 * self.time_step
+            } else {
+                self.time_step
+            },
+            behind: 0.5 * self.time_step,
         }
     }
 
     /// The sample next to first touch or release, from that of a smooth contact.
-    pub(super) fn at_edge(
+    pub(super) fn at_edge<N: Normal>(
         &self,
         contact: &Contact,
         predicted: &NormalForce,
@@ -127,7 +139,7 @@ impl Sampling {
             if !is_first {
                 return smooth;
             }
-            let begun = first(predicted, predicted_speed, share);
+            let begun = first::<N>(predicted, predicted_speed, share);
             // A step's work is its impulse times the mean of the velocities before and after.
             let mean_speed =
                 predicted_speed - self.completion * begun.force / contact.effective_mass;
@@ -137,14 +149,16 @@ impl Sampling {
                     dissipation: (begun.force - begun.elastic) * mean_speed,
                     ..begun
                 },
+                elapsed: share.min(1.0) * self.time_step,
+                behind: (weight(N::DAMPING_POWER, share.min(1.0)) - 0.5) * self.time_step,
                 ..smooth
             };
         }
         let completed = predicted.at_speed(smooth.speed);
         // The bodies part at the speed that this sample leaves them with.
         let parting = smooth.speed - self.completion * completed.force / contact.effective_mass;
-        let share = contact.overlap / (-parting * self.time_step);
-        match last(&completed, smooth.speed, share) {
+        let share = completed.elastic_overlap / (-parting * self.time_step);
+        match last::<N>(&completed, smooth.speed, share) {
             Some(force) => Sample {
                 applied: NormalForce { force, ..completed },
                 ..smooth
@@ -156,18 +170,19 @@ impl Sampling {
 
 /// Rate at which the law's force changes [N/s].
 #[inline]
-fn rate(force: &NormalForce, contact: &Contact, speed: f64) -> f64 {
-    let by_overlap = force.stiffness + DAMPING_POWER * force.damping * speed / contact.overlap;
+fn rate<N: Normal>(force: &NormalForce, contact: &Contact, speed: f64) -> f64 {
+    let by_overlap =
+        force.stiffness + N::DAMPING_POWER * force.damping * speed / force.elastic_overlap;
     by_overlap * speed - force.damping * force.force / contact.effective_mass
 }
 
 /// The first sample of a contact, a share of a step after first touch.
-fn first(law: &NormalForce, speed: f64, share: f64) -> NormalForce {
+fn first<N: Normal>(law: &NormalForce, speed: f64, share: f64) -> NormalForce {
     let share = share.min(1.0);
-    let elastic = law.elastic * weight(ELASTIC_POWER, share);
+    let elastic = law.elastic * weight(N::ELASTIC_POWER, share);
     NormalForce {
         elastic,
-        damping: law.damping * weight(DAMPING_POWER, share),
+        damping: law.damping * weight(N::DAMPING_POWER, share),
         ..*law
     }
     .at_speed(speed)
@@ -182,15 +197,15 @@ fn weight(power: f64, share: f64) -> f64 {
 ///
 /// The force is gone earlier, where spring and damping balance: a share ρ before the overlap is. None where that is
 /// not within the next step.
-fn last(law: &NormalForce, speed: f64, share: f64) -> Option<f64> {
+fn last<N: Normal>(law: &NormalForce, speed: f64, share: f64) -> Option<f64> {
     // Spring and damping at the overlap that vanishes in one step.
-    let elastic = law.elastic / share.powf(ELASTIC_POWER);
-    let damping = -law.damping * speed / share.powf(DAMPING_POWER);
-    let balance = (damping / elastic).powf(1.0 / (ELASTIC_POWER - DAMPING_POWER));
+    let elastic = law.elastic / share.powf(N::ELASTIC_POWER);
+    let damping = -law.damping * speed / share.powf(N::DAMPING_POWER);
+    let balance = (damping / elastic).powf(1.0 / (N::ELASTIC_POWER - N::DAMPING_POWER));
     let part =
         |power: f64| minus_zeta(power, 1.0 + share) - balance.powf(power + 1.0) / (power + 1.0);
     let ends = share - balance < 1.0;
-    ends.then(|| elastic * part(ELASTIC_POWER) - damping * part(DAMPING_POWER))
+    ends.then(|| elastic * part(N::ELASTIC_POWER) - damping * part(N::DAMPING_POWER))
 }
 
 /// Hurwitz's zeta function `−ζ(−p, a)` for p in \[0, 2\] and a of at least 1 [-], by Euler and Maclaurin's sum.

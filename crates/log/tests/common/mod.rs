@@ -26,6 +26,7 @@ pub(crate) fn setup(pellets: usize) -> Setup {
         restitution: 0.5,
         friction: 0.4,
         rolling_friction: 0.05,
+        ..PairProperties::ELASTIC
     };
     Setup {
         seed: 7,

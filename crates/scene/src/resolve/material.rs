@@ -163,6 +163,12 @@ fn properties(pair: &PairSpec) -> PairProperties {
         restitution: pair.restitution,
         friction: pair.friction,
         rolling_friction: pair.rolling_friction,
+        rolling_damping: pair
+            .rolling_damping
+            .unwrap_or(PairProperties::ELASTIC.rolling_damping),
+        stiffness: pair.stiffness.map(|stiffness| stiffness.0),
+        yield_pressure: pair.yield_pressure.map(|pressure| pressure.0),
+        surface_energy: pair.surface_energy.map(|energy| energy.0),
     }
 }
 

@@ -3,10 +3,10 @@
 use super::{OutputOptions, Resolver};
 use crate::key_path::KeyPath;
 use crate::number::show;
-use crate::spec::header::{ContactSpec, NormalSpec, RollingSpec, SearchSpec, TangentialSpec};
+use crate::spec::header::{ContactSpec, NormalSpec, SearchSpec, TangentialSpec, TurningSpec};
 use crate::spec::run::IntegratorSpec;
 use crate::spec::run::{LimitsSpec, SkipSpec};
-use pelletflow_core::contact::{ContactLaws, NormalLaw, RollingLaw, TangentialLaw};
+use pelletflow_core::contact::{ContactLaws, NormalLaw, TangentialLaw, TurningLaw};
 use pelletflow_sim::{
     Integrator, Limits, NeighborSearch, RunPlan, Skips, StepRequest, StopCondition,
 };
@@ -133,18 +133,30 @@ impl Resolver<'_> {
 }
 
 pub(super) fn laws(spec: &ContactSpec) -> ContactLaws {
+    let default = ContactLaws::default();
     ContactLaws {
         normal: match spec.normal {
             NormalSpec::Hertz => NormalLaw::Hertz,
+            NormalSpec::Linear => NormalLaw::Linear,
+            NormalSpec::Plastic => NormalLaw::Plastic,
+            NormalSpec::Jkr => NormalLaw::Jkr,
         },
         tangential: match spec.tangential {
             TangentialSpec::None => TangentialLaw::None,
+            TangentialSpec::Coulomb => TangentialLaw::Coulomb,
             TangentialSpec::Mindlin => TangentialLaw::Mindlin,
+            TangentialSpec::PartialSlip => TangentialLaw::PartialSlip,
         },
-        rolling: match spec.rolling {
-            RollingSpec::None => RollingLaw::None,
-            RollingSpec::ConstantTorque => RollingLaw::ConstantTorque,
-        },
+        rolling: spec.rolling.map_or(default.rolling, turning_law),
+        twisting: spec.twisting.map_or(default.twisting, turning_law),
+    }
+}
+
+fn turning_law(spec: TurningSpec) -> TurningLaw {
+    match spec {
+        TurningSpec::None => TurningLaw::None,
+        TurningSpec::ConstantTorque => TurningLaw::ConstantTorque,
+        TurningSpec::SpringDashpot => TurningLaw::SpringDashpot,
     }
 }
 

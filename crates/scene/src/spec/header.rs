@@ -40,8 +40,10 @@ pub(crate) struct ContactSpec {
     pub(crate) normal: NormalSpec,
     /// How bodies resist sliding.
     pub(crate) tangential: TangentialSpec,
-    /// How bodies resist rolling.
-    pub(crate) rolling: RollingSpec,
+    /// How bodies resist rolling over each other; `constant-torque` where none is given.
+    pub(crate) rolling: Option<TurningSpec>,
+    /// How bodies resist twisting on each other; `none` where none is given.
+    pub(crate) twisting: Option<TurningSpec>,
     /// How neighbors are found; every way gives the same result.
     pub(crate) search: SearchSpec,
     /// Extra reach of a neighbor list [m]; chosen from the pellets where none is given.
@@ -55,6 +57,12 @@ pub(crate) enum NormalSpec {
     /// Hertz's force with damping from the restitution of the pair.
     #[default]
     Hertz,
+    /// A spring of the pair's `stiffness` with damping from its restitution.
+    Linear,
+    /// Hertz's force up to the pair's `yield_pressure`, with its damping; plastic beyond.
+    Plastic,
+    /// Hertz's force with the pair's `surface_energy`: bodies stick.
+    Jkr,
 }
 
 /// How bodies resist sliding.
@@ -63,20 +71,25 @@ pub(crate) enum NormalSpec {
 pub(crate) enum TangentialSpec {
     /// No friction.
     None,
+    /// Coulomb's friction against any sliding, without memory; what it should hold creeps.
+    Coulomb,
     /// Mindlin's spring with history, capped by Coulomb's friction.
     #[default]
     Mindlin,
+    /// A row of springs across the contact, each let go by friction: the rim slides first.
+    PartialSlip,
 }
 
-/// How bodies resist rolling.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, JsonSchema)]
+/// How bodies resist turning.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
-pub(crate) enum RollingSpec {
+pub(crate) enum TurningSpec {
     /// No resistance.
     None,
-    /// A torque of constant size against the rolling.
-    #[default]
+    /// A torque of constant size against the turning; what it should hold creeps.
     ConstantTorque,
+    /// A damped spring that gives way at that torque.
+    SpringDashpot,
 }
 
 /// How neighbors are found.

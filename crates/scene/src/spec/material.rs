@@ -1,6 +1,6 @@
 //! `[materials.NAME]`, `[pairs."A-B"]`, `[pellets.NAME]` and `[strength]`.
 
-use crate::quantity::{Density, Force, Modulus, Size};
+use crate::quantity::{Density, Force, Modulus, Size, Stiffness, SurfaceEnergy};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -34,6 +34,15 @@ pub(crate) struct PairSpec {
     #[serde(default)]
     #[schemars(extend("minimum" = 0.0, "maximum" = 10.0))]
     pub(crate) rolling_friction: f64,
+    /// Damping of rolling and twisting by the law `spring-dashpot`, over critical damping [-]; 0.3 where none is given.
+    #[schemars(extend("minimum" = 0.0, "maximum" = 10.0))]
+    pub(crate) rolling_damping: Option<f64>,
+    /// Stiffness by the normal law `linear` [N/m].
+    pub(crate) stiffness: Option<Stiffness>,
+    /// Pressure in the middle of the contact at which the softer body yields, by the normal law `plastic` [Pa].
+    pub(crate) yield_pressure: Option<Modulus>,
+    /// Work that parting takes per area of contact, by the normal law `jkr` [J/m²].
+    pub(crate) surface_energy: Option<SurfaceEnergy>,
 }
 
 /// Pellets of one material and one distribution of sizes.

@@ -3,69 +3,45 @@
 //! `F = 4/3 E* √R* δ^1.5 + 2 √(5/6) β √(S m*) δ̇` with `S = 2 E* √(R* δ)`, never below zero
 //! (Tsuji, Tanaka & Ishida 1992; Antypov & Elliott 2011).
 
-use super::Contact;
+use super::{Normal, NormalForce};
 use crate::MaterialPair;
-
-/// The normal part of a contact force.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct NormalForce {
-    /// Force that pushes the bodies apart, 0 or more [N].
-    pub force: f64,
-    /// Radius of the contact circle, `√(R* δ)` [m].
-    pub contact_radius: f64,
-    /// Damping coefficient of the normal direction [N·s/m].
-    pub damping: f64,
-    /// Force of the spring alone [N].
-    pub elastic: f64,
-    /// Stiffness of the spring, `S = dF/dδ` [N/m].
-    pub stiffness: f64,
-    /// Energy stored in the spring, `2/5 k δ^2.5` [J].
-    pub elastic_energy: f64,
-    /// Rate at which the damping turns motion into heat [W].
-    pub dissipation: f64,
-}
-
-/// Power of the overlap in the elastic force [-].
-pub(super) const ELASTIC_POWER: f64 = 1.5;
-/// Power of the overlap in the damping [-].
-pub(super) const DAMPING_POWER: f64 = 0.25;
+use crate::contact::{Contact, ContactHistory};
 
 /// `2 √(5/6)`: turns the damping ratio β into the damping of a Hertz contact [-] (Antypov & Elliott 2011).
 const DAMPING_FACTOR: f64 = 1.825_741_858_350_553_6;
 
-/// Normal force of a contact whose overlap grows at `approach_speed` [m/s].
-#[inline]
-pub fn force(contact: &Contact, pair: &MaterialPair, approach_speed: f64) -> NormalForce {
-    let contact_radius = (contact.effective_radius * contact.overlap).sqrt();
-    let stiffness = 2.0 * pair.effective_youngs_modulus * contact_radius;
-    let elastic = 2.0 / 3.0 * stiffness * contact.overlap;
-    let damping = DAMPING_FACTOR * pair.damping_ratio * (stiffness * contact.effective_mass).sqrt();
-    NormalForce {
-        force: 0.0,
-        contact_radius,
-        damping,
-        elastic,
-        stiffness,
-        elastic_energy: 0.4 * elastic * contact.overlap,
-        dissipation: 0.0,
+/// Hertz's force, damped.
+#[derive(Debug, Clone, Copy)]
+pub struct Hertz;
+
+impl Normal for Hertz {
+    const ELASTIC_POWER: f64 = 1.5;
+    const DAMPING_POWER: f64 = 0.25;
+    const BEGINS_AT_ZERO: bool = true;
+
+    #[inline]
+    fn force(
+        contact: &Contact,
+        pair: &MaterialPair,
+        _: &ContactHistory,
+        approach_speed: f64,
+    ) -> NormalForce {
+        let contact_radius = (contact.effective_radius * contact.overlap).sqrt();
+        let stiffness = 2.0 * pair.effective_youngs_modulus * contact_radius;
+        let elastic = 2.0 / 3.0 * stiffness * contact.overlap;
+        let energy = 0.4 * elastic * contact.overlap;
+        NormalForce {
+            damping: damping(contact, pair, stiffness),
+            ..NormalForce::of_spring(contact, contact_radius, elastic, stiffness, energy)
+        }
+        .at_speed(approach_speed)
     }
-    .at_speed(approach_speed)
 }
 
-impl NormalForce {
-    /// The same overlap, growing at another speed [m/s].
-    #[inline]
-    #[must_use]
-    pub fn at_speed(&self, approach_speed: f64) -> Self {
-        let damped = self.elastic + self.damping * approach_speed;
-        // Not `f64::max`, whose care for NaN costs two more instructions per contact.
-        let force = if damped > 0.0 { damped } else { 0.0 };
-        Self {
-            force,
-            dissipation: (force - self.elastic) * approach_speed,
-            ..*self
-        }
-    }
+/// Damping of a contact of a stiffness [N/m], in [N·s/m].
+#[inline]
+pub(super) fn damping(contact: &Contact, pair: &MaterialPair, stiffness: f64) -> f64 {
+    DAMPING_FACTOR * pair.damping_ratio * (stiffness * contact.effective_mass).sqrt()
 }
 
 /// Restitution of a Hertz contact of damping ratio β whose force is clamped at zero [-].

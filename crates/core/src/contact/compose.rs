@@ -1,0 +1,255 @@
+//! The parts of a law put together: one contact, or a batch of them by the same functions.
+
+use super::batch::{self, Batch};
+use super::laws::TurningLaw;
+use super::normal::{Normal, NormalForce};
+use super::peak;
+use super::sampling::{Sample, Sampling};
+use super::spring::{SpringForce, turned_into_plane};
+use super::tangential::{Slide, Tangential};
+use super::turning::{ConstantTorque, FreeTurning, Resistance, SpringDashpot, Turning};
+use super::{Contact, ContactForce, ContactHistory};
+use crate::{MaterialPair, Vec3};
+use std::marker::PhantomData;
+
+/// Resistance to rolling and twisting.
+pub(super) trait Turnings {
+    /// Torque against rolling.
+    fn roll(&self, resistance: &Resistance, spin: Vec3, stretch: &mut Vec3) -> SpringForce;
+    /// Torque against twisting.
+    fn twist(&self, resistance: &Resistance, spin: Vec3, stretch: &mut Vec3) -> SpringForce;
+}
+
+/// Laws of rolling and twisting that are known when this is compiled.
+pub(super) struct Fixed<R, W>(PhantomData<(R, W)>);
+
+impl<R: Turning, W: Turning> Turnings for Fixed<R, W> {
+    #[inline]
+    fn roll(&self, resistance: &Resistance, spin: Vec3, stretch: &mut Vec3) -> SpringForce {
+        R::torque(resistance, spin, stretch)
+    }
+
+    #[inline]
+    fn twist(&self, resistance: &Resistance, spin: Vec3, stretch: &mut Vec3) -> SpringForce {
+        W::torque(resistance, spin, stretch)
+    }
+}
+
+/// Laws of rolling and twisting that a scene chooses.
+pub(super) struct Chosen {
+    pub(super) rolling: TurningLaw,
+    pub(super) twisting: TurningLaw,
+}
+
+impl TurningLaw {
+    #[inline]
+    fn torque(self, resistance: &Resistance, spin: Vec3, stretch: &mut Vec3) -> SpringForce {
+        match self {
+            Self::None => FreeTurning::torque(resistance, spin, stretch),
+            Self::ConstantTorque => ConstantTorque::torque(resistance, spin, stretch),
+            Self::SpringDashpot => SpringDashpot::torque(resistance, spin, stretch),
+        }
+    }
+}
+
+impl Turnings for Chosen {
+    #[inline]
+    fn roll(&self, resistance: &Resistance, spin: Vec3, stretch: &mut Vec3) -> SpringForce {
+        self.rolling.torque(resistance, spin, stretch)
+    }
+
+    #[inline]
+    fn twist(&self, resistance: &Resistance, spin: Vec3, stretch: &mut Vec3) -> SpringForce {
+        self.twisting.torque(resistance, spin, stretch)
+    }
+}
+
+/// A contact's normal direction at a sample.
+struct Touch {
+    sample: Sample,
+    predicted: NormalForce,
+    predicted_speed: f64,
+}
+
+/// Force of one contact over one step.
+pub(super) fn force<N: Normal, T: Tangential, W: Turnings>(
+    contact: &Contact,
+    pair: &MaterialPair,
+    turnings: &W,
+    history: &mut ContactHistory,
+    sampling: &Sampling,
+) -> ContactForce {
+    let sampling = &sampling_of::<N>(sampling);
+    let mut touch = touch::<N>(contact, pair, history, sampling);
+    if touch.sample.is_edge {
+        touch.sample = sampling.at_edge::<N>(
+            contact,
+            &touch.predicted,
+            touch.predicted_speed,
+            history.normal_force,
+            touch.sample,
+        );
+    }
+    composed::<T, W>(contact, pair, turnings, &touch, history, sampling)
+}
+
+/// All lanes as if in the smooth middle of their contacts, then those few again that begin or end.
+pub(super) fn forces<N: Normal, T: Tangential, W: Turnings + Default>(
+    batch: &mut Batch,
+    count: usize,
+    sampling: &Sampling,
+) -> bool {
+    let turnings = W::default();
+    let count = count.min(batch::LANES);
+    for lane in 0..count {
+        let contact = batch.contact(lane);
+        let pair = batch.pair(lane);
+        let mut history = batch.history(lane);
+        let touch = touch::<N>(&contact, &pair, &history, sampling);
+        let force = composed::<T, W>(&contact, &pair, &turnings, &touch, &mut history, sampling);
+        batch.set_force(lane, &contact, &force, &history);
+        batch.set_edge(lane, touch.sample.is_edge);
+    }
+    if sampling.is_located() {
+        for lane in 0..count {
+            if batch.is_edge(lane) {
+                let contact = batch.contact(lane);
+                let pair = batch.pair(lane);
+                let mut history = batch.history(lane);
+                let force = force::<N, T, W>(&contact, &pair, &turnings, &mut history, sampling);
+                batch.set_force(lane, &contact, &force, &history);
+            }
+        }
+    }
+    true
+}
+
+/// Greatest normal force within a step of a sample [N].
+pub(super) fn peak_force_near<N: Normal>(
+    contact: &Contact,
+    pair: &MaterialPair,
+    history: &ContactHistory,
+    sampling: &Sampling,
+) -> f64 {
+    let sampling = &sampling_of::<N>(sampling);
+    let touch = touch::<N>(contact, pair, history, sampling);
+    let from = if history.normal_force == 0.0 {
+        peak::Motion {
+            overlap: contact.overlap,
+            speed: touch.predicted_speed,
+        }
+    } else {
+        sampling.true_motion(contact, &touch.sample)
+    };
+    peak::force_near::<N>(contact, pair, history, from, sampling.time_step())
+        .unwrap_or(touch.sample.law.force)
+}
+
+/// The rule for a normal law: a force that jumps at first touch has nothing to locate.
+#[inline]
+fn sampling_of<N: Normal>(sampling: &Sampling) -> Sampling {
+    if N::BEGINS_AT_ZERO {
+        *sampling
+    } else {
+        Sampling::plain(sampling.time_step())
+    }
+}
+
+#[expect(
+    clippy::inline_always,
+    reason = "a call in the loop of a batch would keep it from using vector instructions"
+)]
+#[inline(always)]
+fn touch<N: Normal>(
+    contact: &Contact,
+    pair: &MaterialPair,
+    history: &ContactHistory,
+    sampling: &Sampling,
+) -> Touch {
+    let predicted_speed = -contact.relative_velocity.dot(&contact.normal);
+    let predicted = N::force(contact, pair, history, predicted_speed);
+    Touch {
+        sample: sampling.smooth::<N>(contact, &predicted, predicted_speed, history.normal_force),
+        predicted,
+        predicted_speed,
+    }
+}
+
+#[expect(
+    clippy::inline_always,
+    reason = "a call in the loop of a batch would keep it from using vector instructions"
+)]
+#[inline(always)]
+fn composed<T: Tangential, W: Turnings>(
+    contact: &Contact,
+    pair: &MaterialPair,
+    turnings: &W,
+    touch: &Touch,
+    history: &mut ContactHistory,
+    sampling: &Sampling,
+) -> ContactForce {
+    let Sample { law, applied, .. } = touch.sample;
+    let time_step = sampling.time_step();
+    let slide = Slide {
+        velocity: contact.relative_velocity + touch.predicted_speed * contact.normal,
+        time_step,
+        elapsed: touch.sample.elapsed,
+        behind: touch.sample.behind,
+    };
+    let sliding = T::force(contact, pair, &applied, &slide, history);
+    let (rolling, twisting) = turned(contact, pair, turnings, &applied, history, time_step);
+    history.deepest_overlap = if contact.overlap > history.deepest_overlap {
+        contact.overlap
+    } else {
+        history.deepest_overlap
+    };
+    history.normal_force = if !applied.is_touching {
+        0.0
+    } else if applied.force == 0.0 {
+        f64::MIN_POSITIVE
+    } else {
+        applied.force
+    };
+    ContactForce {
+        normal: law.force,
+        force: applied.force * contact.normal + sliding.force,
+        turning_torque: rolling.force + twisting.force,
+        elastic_energy: law.elastic_energy,
+        dissipation: applied.dissipation + applied.spring_heat / time_step,
+        shear_energy: sliding.elastic_energy + rolling.elastic_energy + twisting.elastic_energy,
+        shear_power: sliding.power + rolling.power + twisting.power,
+    }
+}
+
+/// What resists rolling, and what resists twisting.
+#[expect(
+    clippy::inline_always,
+    reason = "a call in the loop of a batch would keep it from using vector instructions"
+)]
+#[inline(always)]
+fn turned<W: Turnings>(
+    contact: &Contact,
+    pair: &MaterialPair,
+    turnings: &W,
+    normal: &NormalForce,
+    history: &mut ContactHistory,
+    time_step: f64,
+) -> (SpringForce, SpringForce) {
+    let twist = contact.relative_spin.dot(&contact.normal) * contact.normal;
+    let roll = contact.relative_spin - twist;
+    let mut rolled = turned_into_plane(history.rolling_stretch, contact.normal);
+    let mut twisted = history.twisting_stretch * contact.normal;
+    let of_rolling = Resistance::of_rolling(contact, pair, normal, time_step);
+    let of_twisting = Resistance::of_twisting(contact, pair, normal, time_step);
+    let rolling = turnings.roll(&of_rolling, roll, &mut rolled);
+    let twisting = turnings.twist(&of_twisting, twist, &mut twisted);
+    history.rolling_stretch = rolled;
+    history.twisting_stretch = twisted.dot(&contact.normal);
+    (rolling, twisting)
+}
+
+impl<R, W> Default for Fixed<R, W> {
+    fn default() -> Self {
+        Self(PhantomData)
+    }
+}
