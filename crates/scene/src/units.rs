@@ -257,9 +257,9 @@ mod tests {
     #[test]
     fn a_misspelt_unit_is_answered_with_the_units_of_its_kind() {
         assert_eq!(
-            parse("2 N/mm", &[Kind::Force]),
+            parse("2 Nm", &[Kind::Force]),
             Err(UnitError::UnknownUnit {
-                unit: "N/mm".into(),
+                unit: "Nm".into(),
                 known: vec!["N", "kN", "MN"]
             })
         );

@@ -21,9 +21,10 @@ impl Tangential for Mindlin {
         slide: &Slide,
         history: &mut ContactHistory,
     ) -> SpringForce {
+        let stiffness = 8.0 * pair.effective_shear_modulus * normal.contact_radius;
         let spring = CappedSpring {
-            root_stiffness: (8.0 * pair.effective_shear_modulus * normal.contact_radius).sqrt(),
-            damping: damping(contact, pair, normal, slide),
+            root_stiffness: stiffness.sqrt(),
+            damping: damping(contact, pair, normal, slide, stiffness),
             cap: pair.friction * normal.pressing(),
         };
         let sampled = Sampled {
