@@ -79,7 +79,6 @@ pub(super) fn force<N: Normal, T: Tangential, W: Turnings>(
     history: &mut ContactHistory,
     sampling: &Sampling,
 ) -> ContactForce {
-    let sampling = &sampling_of::<N>(sampling);
     let mut touch = touch::<N>(contact, pair, history, sampling);
     if touch.sample.is_edge {
         touch.sample = sampling.at_edge::<N>(
@@ -131,7 +130,6 @@ pub(super) fn peak_force_near<N: Normal>(
     history: &ContactHistory,
     sampling: &Sampling,
 ) -> f64 {
-    let sampling = &sampling_of::<N>(sampling);
     let touch = touch::<N>(contact, pair, history, sampling);
     let from = if history.normal_force == 0.0 {
         peak::Motion {
@@ -143,16 +141,6 @@ pub(super) fn peak_force_near<N: Normal>(
     };
     peak::force_near::<N>(contact, pair, history, from, sampling.time_step())
         .unwrap_or(touch.sample.law.force)
-}
-
-/// The rule for a normal law: a force that jumps at first touch has nothing to locate.
-#[inline]
-fn sampling_of<N: Normal>(sampling: &Sampling) -> Sampling {
-    if N::BEGINS_AT_ZERO {
-        *sampling
-    } else {
-        Sampling::plain(sampling.time_step())
-    }
 }
 
 #[expect(

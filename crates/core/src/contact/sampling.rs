@@ -109,7 +109,7 @@ impl Sampling {
         };
         let next = completed.force + self.time_step * rate::<N>(&completed, contact, speed);
         let begins = last_force == 0.0;
-        let ends = speed < 0.0 && completed.force > 0.0 && next < 0.0;
+        let ends = N::ENDS_AT_ZERO && speed < 0.0 && completed.force > 0.0 && next < 0.0;
         Sample {
             speed,
             law,

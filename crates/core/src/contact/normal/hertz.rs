@@ -17,7 +17,7 @@ pub struct Hertz;
 impl Normal for Hertz {
     const ELASTIC_POWER: f64 = 1.5;
     const DAMPING_POWER: f64 = 0.25;
-    const BEGINS_AT_ZERO: bool = true;
+    const ENDS_AT_ZERO: bool = true;
 
     #[inline]
     fn force(

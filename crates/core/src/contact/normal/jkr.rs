@@ -81,9 +81,9 @@ pub fn pull_off_gap(effective_radius: f64, pair: &MaterialPair) -> f64 {
 }
 
 impl Normal for Jkr {
-    const ELASTIC_POWER: f64 = 1.5;
+    const ELASTIC_POWER: f64 = 0.0;
     const DAMPING_POWER: f64 = 0.25;
-    const BEGINS_AT_ZERO: bool = false;
+    const ENDS_AT_ZERO: bool = false;
 
     fn force(
         contact: &Contact,

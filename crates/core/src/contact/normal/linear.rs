@@ -14,7 +14,7 @@ pub struct Linear;
 impl Normal for Linear {
     const ELASTIC_POWER: f64 = 1.0;
     const DAMPING_POWER: f64 = 0.0;
-    const BEGINS_AT_ZERO: bool = true;
+    const ENDS_AT_ZERO: bool = true;
 
     /// The contact radius is that of the Hertz contact that has this stiffness, so that friction keeps its share of it.
     #[inline]

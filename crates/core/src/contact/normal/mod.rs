@@ -48,8 +48,8 @@ pub trait Normal {
     const ELASTIC_POWER: f64;
     /// Power of the overlap in the damping, there [-].
     const DAMPING_POWER: f64;
-    /// Whether the force grows from nothing at first touch, so that locating it helps.
-    const BEGINS_AT_ZERO: bool;
+    /// Whether the force is gone at release, which can then be located by it.
+    const ENDS_AT_ZERO: bool;
 
     /// Force of a contact whose overlap grows at `approach_speed` [m/s].
     fn force(

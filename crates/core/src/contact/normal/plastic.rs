@@ -60,7 +60,7 @@ impl Loaded {
 impl Normal for Plastic {
     const ELASTIC_POWER: f64 = 1.5;
     const DAMPING_POWER: f64 = 0.25;
-    const BEGINS_AT_ZERO: bool = true;
+    const ENDS_AT_ZERO: bool = true;
 
     fn force(
         contact: &Contact,
