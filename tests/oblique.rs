@@ -5,7 +5,7 @@
 
 mod common;
 
-use common::{ORE, RADIUS, STEEL, floor, one, pellet, setup, simulation, wall};
+use common::{ORE, RADIUS, STEEL, floor, held, one, pellet, setup, simulation, wall};
 use pelletflow::core::contact::TangentialLaw;
 use pelletflow::core::{Material, MaterialPair, PairProperties, Vec3};
 use pelletflow::impact::ElasticImpact;
@@ -146,11 +146,22 @@ fn partial_slip_error(steps: Option<f64>) -> f64 {
 #[test]
 fn partial_slip_has_the_spin_and_slide_of_the_exact_solution() {
     // Ten sliders are within 0.6 % where the step no longer matters.
-    let fine = partial_slip_error(Some(160.0));
-    assert!(fine < 0.01, "{fine}");
+    let exact = "Mindlin & Deresiewicz 1953, by Popov & Heß 2015";
+    held(
+        "oblique",
+        "spin after an elastic hit by partial slip, 6 angles, ν 0.3 and 0.4, at 160 steps per contact",
+        partial_slip_error(Some(160.0)),
+        0.01,
+        exact,
+    );
     // Here the stiff sphere's default is 36 steps per contact.
-    let default = partial_slip_error(None);
-    assert!(default < 0.03, "{default}");
+    held(
+        "oblique",
+        "the same at the default step",
+        partial_slip_error(None),
+        0.03,
+        exact,
+    );
 }
 
 #[test]
@@ -192,6 +203,7 @@ const LAWS: [TangentialLaw; 3] = [
 #[test]
 fn no_tangential_law_creates_energy_in_an_elastic_hit() {
     for law in LAWS {
+        let mut most = f64::NEG_INFINITY;
         for poisson_ratio in [0.0, 0.1, 0.25, 0.4] {
             for slide in [0.1, 0.3, 0.6, 1.0, 1.5, 2.0, 3.0, 5.0, 8.0] {
                 for phase in phases() {
@@ -199,15 +211,13 @@ fn no_tangential_law_creates_energy_in_an_elastic_hit() {
                         phase,
                         ..Hit::new(law, poisson_ratio, slide)
                     };
-                    let energy = hit.run().energy;
-                    // The integrator's own error; a spring that remembers its displacement gains up to 3.6 %.
-                    assert!(
-                        energy < 1.0 + 1.0e-3,
-                        "{law:?}, ν {poisson_ratio}, θ {slide}, phase {phase}: {energy}"
-                    );
+                    most = most.max(hit.run().energy - 1.0);
                 }
             }
         }
+        // The integrator's own error; a spring that remembers its displacement gains up to 3.6 %.
+        let claim = format!("greatest gain of tangential energy in an elastic hit, {law:?}");
+        held("oblique", &claim, most.max(0.0), 1.0e-3, "conservation");
     }
 }
 
@@ -259,11 +269,20 @@ fn error_against_experiment(law: TangentialLaw) -> f64 {
 }
 
 #[test]
-fn partial_slip_meets_the_experiment_of_kharaz_far_nearer_than_mindlins_spring() {
-    let partial = error_against_experiment(TangentialLaw::PartialSlip);
-    let mindlin = error_against_experiment(TangentialLaw::Mindlin);
-    assert!(partial < 0.02, "{partial}");
-    assert!(mindlin > 4.0 * partial, "{mindlin} against {partial}");
+fn partial_slip_meets_the_experiment_of_kharaz_and_single_springs_come_near_it() {
+    for (law, bound) in [
+        (TangentialLaw::PartialSlip, 0.02),
+        (TangentialLaw::Coulomb, 0.06),
+        (TangentialLaw::Mindlin, 0.1),
+    ] {
+        held(
+            "oblique",
+            &format!("tangential restitution of alumina on glass, root mean square error, {law:?}"),
+            error_against_experiment(law),
+            bound,
+            "experiment of Kharaz, Gorham & Salman 2001",
+        );
+    }
 }
 
 fn material(youngs_modulus: f64, poisson_ratio: f64, density: f64) -> Material {

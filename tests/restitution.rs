@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{ORE, RADIUS, STEEL, floor, one, pellet, setup, simulation, wall};
+use common::{ORE, RADIUS, STEEL, floor, held, one, pellet, setup, simulation, wall};
 use pelletflow::core::contact::NormalLaw;
 use pelletflow::core::{MaterialPair, PairProperties, Vec3};
 use pelletflow::sim::Simulation;
@@ -46,6 +46,7 @@ fn mass() -> f64 {
 #[test]
 fn a_linear_contact_rebounds_with_the_restitution_asked_for_and_the_force_of_an_oscillator() {
     let stiffness = 2.0e5;
+    let (mut worst, mut worst_peak) = (0.0_f64, 0.0_f64);
     for wanted in [0.3, 0.5, 0.7, 0.9, 1.0] {
         for speed in [0.5, 2.0, 8.0] {
             let properties = PairProperties {
@@ -54,18 +55,25 @@ fn a_linear_contact_rebounds_with_the_restitution_asked_for_and_the_force_of_an_
                 ..PairProperties::ELASTIC
             };
             let (found, simulation) = restitution(NormalLaw::Linear, properties, speed);
-            // At 12 steps per contact.
-            assert!(
-                (found - wanted).abs() < 0.007,
-                "{wanted} at {speed} m/s: {found}"
-            );
+            worst = worst.max((found - wanted).abs());
             if wanted == 1.0 {
                 let exact = speed * (stiffness * mass()).sqrt();
                 let peak = simulation.contact_statistics().max_force;
-                assert!((peak / exact - 1.0).abs() < 1.0e-3, "{peak} for {exact} N");
+                worst_peak = worst_peak.max((peak / exact - 1.0).abs());
             }
         }
     }
+    // At 12 steps per contact.
+    let claim = "linear: restitution 0.3 to 1 at 0.5 to 8 m/s, greatest error";
+    held("restitution", claim, worst, 0.007, "what was asked for");
+    let claim = "linear: peak force, elastic";
+    held(
+        "restitution",
+        claim,
+        worst_peak,
+        1.0e-3,
+        "harmonic oscillator",
+    );
 }
 
 #[test]
@@ -79,6 +87,7 @@ fn a_plastic_contact_rebounds_by_thorntons_formula() {
     let yield_overlap = RADIUS * (PI * 5.0e6 / (2.0 * modulus)).powi(2);
     // Where the energy of the hit is that of Hertz at the overlap of yielding.
     let yield_speed = (0.8 * stiffness * yield_overlap.powf(2.5) / mass()).sqrt();
+    let mut worst: f64 = 0.0;
     for ratio in [0.5, 1.0, 1.5, 3.0, 10.0, 30.0] {
         let slow: f64 = 1.0 / ratio;
         // Thornton (1997), eq. 31.
@@ -90,10 +99,7 @@ fn a_plastic_contact_rebounds_by_thorntons_formula() {
                 * (slow / (slow + 2.0 * (1.2 - 0.2 * slow * slow).sqrt())).powf(0.25)
         };
         let (found, simulation) = restitution(NormalLaw::Plastic, properties, ratio * yield_speed);
-        assert!(
-            (found - exact).abs() < 2.0e-3,
-            "{ratio} times yield: {found}, not {exact}"
-        );
+        worst = worst.max((found - exact).abs());
         let energy = simulation.energy_ledger();
         // The force bends where loading turns to unloading, between two samples.
         assert!(
@@ -101,6 +107,8 @@ fn a_plastic_contact_rebounds_by_thorntons_formula() {
             "{energy:?}"
         );
     }
+    let claim = "plastic: restitution at 0.5 to 30 times the speed of yielding, greatest error";
+    held("restitution", claim, worst, 2.0e-3, "Thornton 1997");
 }
 
 #[test]
@@ -130,9 +138,13 @@ fn a_sticky_contact_rebounds_with_what_tearing_leaves() {
     for (ratio, tolerance) in [(1.2, 0.06), (1.5, 5.0e-3), (3.0, 5.0e-3), (10.0, 1.0e-3)] {
         let exact = (1.0_f64 - 1.0 / (ratio * ratio)).sqrt();
         let (found, _) = restitution(NormalLaw::Jkr, properties, ratio * sticking_speed);
-        assert!(
-            (found - exact).abs() < tolerance,
-            "{ratio}: {found}, not {exact}"
+        let claim = format!("sticky: restitution at {ratio} times the sticking speed");
+        held(
+            "restitution",
+            &claim,
+            found - exact,
+            tolerance,
+            "Thornton & Ning 1998",
         );
     }
     let mut slow = coming_down(NormalLaw::Jkr, properties, 0.9 * sticking_speed);

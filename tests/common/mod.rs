@@ -6,6 +6,10 @@
     reason = "each test file uses its own share of these"
 )]
 
+mod held;
+
+pub(crate) use held::held;
+
 use pelletflow::core::{Bounds, ContactLaws, Material, PairProperties, Shape, UnitVector3, Vec3};
 use pelletflow::sim::{
     Domain, Fill, Integrator, Limits, Model, Motion, NamedMaterial, NeighborSearch, PelletKind,
