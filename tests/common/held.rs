@@ -4,6 +4,10 @@
 ///
 /// `cargo xtask verify` gathers these lines by section; they name the claim, the error found, the bound, and the source of
 /// what is right. A relative error is given as a share.
+#[allow(
+    clippy::print_stdout,
+    reason = "what a test found is told on its standard output"
+)]
 pub(crate) fn held(section: &str, claim: &str, error: f64, bound: f64, source: &str) {
     println!("held\t{section}\t{claim}\t{error:e}\t{bound:e}\t{source}");
     assert!(

@@ -12,6 +12,7 @@ mod process;
 mod report;
 mod test;
 mod venv;
+mod verify;
 mod workspace;
 
 use clap::Parser;
@@ -27,6 +28,8 @@ enum Command {
     Test,
     /// Runs the whole gate: format, spelling, dependencies, lints, documentation, every test, Python types.
     Check,
+    /// Holds every claim against what is known, the slow ones too, and writes the tables and pictures of docs/verification.md.
+    Verify,
 }
 
 fn main() -> ExitCode {
@@ -34,6 +37,7 @@ fn main() -> ExitCode {
     let outcome = match Command::parse() {
         Command::Test => test::run(&mut report),
         Command::Check => check::run(&mut report),
+        Command::Verify => verify::run(&mut report),
     };
     report.print();
     match outcome {
