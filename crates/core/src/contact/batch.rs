@@ -123,10 +123,6 @@ impl Batch {
     }
 
     /// The contact in a lane.
-    #[expect(
-        clippy::inline_always,
-        reason = "a call in the loop of a batch would keep it from using vector instructions"
-    )]
     #[inline(always)]
     pub fn contact(&self, lane: usize) -> Contact {
         let between = vector(&self.between, lane);
@@ -181,10 +177,6 @@ impl Batch {
     }
 
     /// Puts what a contact does, and what it remembers from now on, into its lane.
-    #[expect(
-        clippy::inline_always,
-        reason = "a call in the loop of a batch would keep it from using vector instructions"
-    )]
     #[inline(always)]
     pub fn set_force(
         &mut self,

@@ -24,12 +24,12 @@ pub(super) trait Turnings {
 pub(super) struct Fixed<R, W>(PhantomData<(R, W)>);
 
 impl<R: Turning, W: Turning> Turnings for Fixed<R, W> {
-    #[inline]
+    #[inline(always)]
     fn roll(&self, resistance: &Resistance, spin: Vec3, stretch: &mut Vec3) -> SpringForce {
         R::torque(resistance, spin, stretch)
     }
 
-    #[inline]
+    #[inline(always)]
     fn twist(&self, resistance: &Resistance, spin: Vec3, stretch: &mut Vec3) -> SpringForce {
         W::torque(resistance, spin, stretch)
     }
@@ -42,7 +42,7 @@ pub(super) struct Chosen {
 }
 
 impl TurningLaw {
-    #[inline]
+    #[inline(always)]
     fn torque(self, resistance: &Resistance, spin: Vec3, stretch: &mut Vec3) -> SpringForce {
         match self {
             Self::None => FreeTurning::torque(resistance, spin, stretch),
@@ -53,12 +53,12 @@ impl TurningLaw {
 }
 
 impl Turnings for Chosen {
-    #[inline]
+    #[inline(always)]
     fn roll(&self, resistance: &Resistance, spin: Vec3, stretch: &mut Vec3) -> SpringForce {
         self.rolling.torque(resistance, spin, stretch)
     }
 
-    #[inline]
+    #[inline(always)]
     fn twist(&self, resistance: &Resistance, spin: Vec3, stretch: &mut Vec3) -> SpringForce {
         self.twisting.torque(resistance, spin, stretch)
     }
@@ -143,10 +143,6 @@ pub(super) fn peak_force_near<N: Normal>(
         .unwrap_or(touch.sample.law.force)
 }
 
-#[expect(
-    clippy::inline_always,
-    reason = "a call in the loop of a batch would keep it from using vector instructions"
-)]
 #[inline(always)]
 fn touch<N: Normal>(
     contact: &Contact,
@@ -163,10 +159,6 @@ fn touch<N: Normal>(
     }
 }
 
-#[expect(
-    clippy::inline_always,
-    reason = "a call in the loop of a batch would keep it from using vector instructions"
-)]
 #[inline(always)]
 fn composed<T: Tangential, W: Turnings>(
     contact: &Contact,
@@ -210,10 +202,6 @@ fn composed<T: Tangential, W: Turnings>(
 }
 
 /// What resists rolling, and what resists twisting.
-#[expect(
-    clippy::inline_always,
-    reason = "a call in the loop of a batch would keep it from using vector instructions"
-)]
 #[inline(always)]
 fn turned<W: Turnings>(
     contact: &Contact,

@@ -2,6 +2,10 @@
 //!
 //! A law is composed of four parts: normal, tangential, rolling and twisting. Each choice is one file.
 //! To add one: write its file in the folder of its part, then add its variant and its arm in [`laws`](self::laws).
+#![expect(
+    clippy::inline_always,
+    reason = "a call in the loop of a batch would keep it from using vector instructions"
+)]
 
 pub mod batch;
 mod compose;

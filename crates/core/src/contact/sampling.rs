@@ -86,10 +86,6 @@ impl Sampling {
     }
 
     /// The sample in the smooth middle of a contact, whose force was `last_force` [N] at the sample before.
-    #[expect(
-        clippy::inline_always,
-        reason = "a call in the loop of a batch would keep it from using vector instructions"
-    )]
     #[inline(always)]
     pub(super) fn smooth<N: Normal>(
         &self,
@@ -169,7 +165,7 @@ impl Sampling {
 }
 
 /// Rate at which the law's force changes [N/s].
-#[inline]
+#[inline(always)]
 fn rate<N: Normal>(force: &NormalForce, contact: &Contact, speed: f64) -> f64 {
     let by_overlap =
         force.stiffness + N::DAMPING_POWER * force.damping * speed / force.elastic_overlap;

@@ -52,7 +52,7 @@ impl CappedSpring {
     /// Force of the spring after it was stretched to `stretch` [√J], which moves on with the velocity.
     ///
     /// The force takes the growth up to the sample and the memory that after it too: second order in the step.
-    #[inline]
+    #[inline(always)]
     pub(super) fn pull(&self, sampled: &Sampled, stretch: &mut Vec3) -> SpringForce {
         let Sampled {
             velocity,
@@ -89,7 +89,7 @@ impl CappedSpring {
 }
 
 /// A vector turned with the contact: laid into the plane across the normal, its length kept.
-#[inline]
+#[inline(always)]
 pub(super) fn turned_into_plane(vector: Vec3, normal: Vec3) -> Vec3 {
     let flat = vector - vector.dot(&normal) * normal;
     let flat_squared = flat.norm_squared();

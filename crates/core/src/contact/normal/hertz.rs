@@ -19,7 +19,7 @@ impl Normal for Hertz {
     const DAMPING_POWER: f64 = 0.25;
     const ENDS_AT_ZERO: bool = true;
 
-    #[inline]
+    #[inline(always)]
     fn force(
         contact: &Contact,
         pair: &MaterialPair,
@@ -39,7 +39,7 @@ impl Normal for Hertz {
 }
 
 /// Damping of a contact of a stiffness [N/m], in [N·s/m].
-#[inline]
+#[inline(always)]
 pub(super) fn damping(contact: &Contact, pair: &MaterialPair, stiffness: f64) -> f64 {
     DAMPING_FACTOR * pair.damping_ratio * (stiffness * contact.effective_mass).sqrt()
 }

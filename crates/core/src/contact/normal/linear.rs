@@ -17,7 +17,7 @@ impl Normal for Linear {
     const ENDS_AT_ZERO: bool = true;
 
     /// The contact radius is that of the Hertz contact that has this stiffness, so that friction keeps its share of it.
-    #[inline]
+    #[inline(always)]
     fn force(
         contact: &Contact,
         pair: &MaterialPair,

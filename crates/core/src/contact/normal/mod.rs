@@ -63,7 +63,7 @@ pub trait Normal {
 impl NormalForce {
     /// An elastic spring at rest that only pushes, of this contact radius [m], force [N], stiffness [N/m] and energy
     /// [J].
-    #[inline]
+    #[inline(always)]
     pub(super) fn of_spring(
         contact: &Contact,
         contact_radius: f64,
@@ -88,7 +88,7 @@ impl NormalForce {
     }
 
     /// The same overlap, growing at another speed [m/s].
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn at_speed(&self, approach_speed: f64) -> Self {
         let damped = self.elastic + self.damping * approach_speed;
@@ -106,7 +106,7 @@ impl NormalForce {
     }
 
     /// Force that presses the surfaces together, 0 or more [N].
-    #[inline]
+    #[inline(always)]
     pub fn pressing(&self) -> f64 {
         self.force + self.adhesion
     }

@@ -14,7 +14,7 @@ use crate::contact::{Contact, ContactHistory};
 pub struct Coulomb;
 
 impl Tangential for Coulomb {
-    #[inline]
+    #[inline(always)]
     fn force(
         contact: &Contact,
         pair: &MaterialPair,

@@ -13,7 +13,7 @@ use crate::contact::{Contact, ContactHistory};
 pub struct Mindlin;
 
 impl Tangential for Mindlin {
-    #[inline]
+    #[inline(always)]
     fn force(
         contact: &Contact,
         pair: &MaterialPair,

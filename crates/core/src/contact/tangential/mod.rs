@@ -49,7 +49,7 @@ const STOPPED_PER_STEP: f64 = 0.3;
 const SLIDING_MASS: f64 = 2.0 / 7.0;
 
 /// Greatest force against sliding, over the speed, that keeps a step stable [N·s/m].
-#[inline]
+#[inline(always)]
 fn steadiest_damping(contact: &Contact, time_step: f64) -> f64 {
     STOPPED_PER_STEP * SLIDING_MASS * contact.effective_mass / time_step
 }
@@ -58,7 +58,7 @@ fn steadiest_damping(contact: &Contact, time_step: f64) -> f64 {
 ///
 /// A spring stretched by predicted velocities lags by a step, which gives it energy at the rate `Δt³ ω⁴ / 4` for an
 /// oscillation of frequency ω; a damping of `Δt³ S² / 4 m` takes that away.
-#[inline]
+#[inline(always)]
 fn damping(
     contact: &Contact,
     pair: &MaterialPair,

@@ -11,7 +11,7 @@ use crate::contact::{Contact, ContactHistory};
 pub struct NoFriction;
 
 impl Tangential for NoFriction {
-    #[inline]
+    #[inline(always)]
     fn force(
         _: &Contact,
         _: &MaterialPair,

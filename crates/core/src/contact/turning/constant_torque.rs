@@ -14,7 +14,7 @@ const STOPPED_PER_STEP: f64 = 0.25;
 pub struct ConstantTorque;
 
 impl Turning for ConstantTorque {
-    #[inline]
+    #[inline(always)]
     fn torque(resistance: &Resistance, spin: Vec3, _: &mut Vec3) -> SpringForce {
         let size = spin.norm();
         let stopping = STOPPED_PER_STEP * resistance.inertia * size / resistance.time_step;

@@ -40,7 +40,7 @@ const SOLID_SPHERE: f64 = 0.4;
 
 impl Resistance {
     /// Against rolling: at most `μ_r R* F_n`, with the stiffness `2.25 S (μ_r R*)²` (Iwashita & Oda 1998; Ai et al. 2011).
-    #[inline]
+    #[inline(always)]
     pub(super) fn of_rolling(
         contact: &Contact,
         pair: &MaterialPair,
@@ -57,7 +57,7 @@ impl Resistance {
 
     /// Against twisting: at most `3π/16 μ a F_n`, with the stiffness `16/3 G a³`, where G is `1 / (1/G₁ + 1/G₂)`
     /// (Johnson 1985, sections 3.9 and 7.4).
-    #[inline]
+    #[inline(always)]
     pub(super) fn of_twisting(
         contact: &Contact,
         pair: &MaterialPair,
@@ -72,7 +72,7 @@ impl Resistance {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn any(contact: &Contact, pair: &MaterialPair, time_step: f64) -> Self {
         let radius = contact.effective_radius;
         Self {

@@ -9,7 +9,7 @@ use crate::contact::spring::SpringForce;
 pub struct FreeTurning;
 
 impl Turning for FreeTurning {
-    #[inline]
+    #[inline(always)]
     fn torque(_: &Resistance, _: Vec3, _: &mut Vec3) -> SpringForce {
         SpringForce::NONE
     }
