@@ -48,6 +48,16 @@ pub(crate) fn list(model: &Model, state: &State, workspace: &Workspace) -> Vec<S
             ),
         });
     }
+    if laws.twisting == TurningLaw::None {
+        skipped.push(Skipped {
+            what: "twisting resistance",
+            reason: "the twisting law is `none`".into(),
+            saved: format!(
+                "twisting torque of {} contact-steps",
+                state.books.contacts.contact_steps
+            ),
+        });
+    }
     if setup.pellets.len() == 1 {
         skipped.push(Skipped {
             what: "pair table",
