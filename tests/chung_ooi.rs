@@ -47,7 +47,7 @@ fn until_apart(simulation: &mut Simulation) {
 
 /// Holds a value to what it should be, by a relative tolerance.
 fn near(claim: &str, found: f64, expected: f64, tolerance: f64) {
-    let source = format!("{expected:.5}");
+    let source = format!("{expected:.4e}");
     held(
         "chung-ooi",
         claim,
@@ -89,12 +89,11 @@ fn test_1_two_equal_spheres_meet_with_the_force_and_depth_of_hertz() {
             force,
             1.0e-3,
         );
-        // The greatest overlap is a sample, up to 1 % short of the top at 12 steps per contact.
         near(
             &format!("1: two {name} spheres, greatest overlap [m]"),
             contacts.max_overlap_ratio * radius,
             depth,
-            1.0e-2,
+            1.0e-3,
         );
         near(
             &format!("1: two {name} spheres, rebound [m/s]"),

@@ -2,10 +2,10 @@
 
 mod common;
 
-use common::{floor, setup, simulation_on, wall};
+use common::{floor, one, setup, simulation_on, wall};
 use pelletflow::core::contact::{ContactLaws, NormalLaw, TangentialLaw, TurningLaw};
 use pelletflow::core::{PairProperties, Shape, Vec3};
-use pelletflow::sim::{Fill, FillAmount, Seats, Simulation};
+use pelletflow::sim::{Fill, FillAmount, Model, Seats, Simulation};
 
 /// Each choice of each part at least once, with the default for the others.
 fn laws() -> Vec<ContactLaws> {
@@ -111,4 +111,35 @@ fn every_law_gives_the_same_bits_on_one_and_three_threads() {
         let alone = poured(laws, 1, 0.25).state_hash();
         assert_eq!(poured(laws, 3, 0.25).state_hash(), alone, "{laws:?}");
     }
+}
+
+#[test]
+fn a_law_without_what_it_needs_of_the_pairs_is_refused_with_the_cure() {
+    for (normal, key, cure) in [
+        (NormalLaw::Linear, "pairs.ore-ore.stiffness", "stiffness = "),
+        (NormalLaw::Plastic, "contact.normal", "yield_pressure = "),
+        (NormalLaw::Jkr, "contact.normal", "surface_energy = "),
+    ] {
+        let mut setup = setup(PairProperties::ELASTIC, PairProperties::ELASTIC);
+        setup.laws.normal = normal;
+        setup.walls = vec![wall("floor", floor(0.0))];
+        setup.fills = vec![one("drop", 0.1 * Vec3::z(), Vec3::zeros())];
+        let mistakes = Model::new(setup).expect_err("something is missing");
+        assert_eq!(mistakes[0].key, key);
+        assert!(mistakes[0].message.contains(cure), "{mistakes:?}");
+    }
+}
+
+#[test]
+fn a_skin_that_a_sticky_contact_outreaches_is_refused() {
+    let sticky = PairProperties {
+        surface_energy: Some(1.0e3),
+        ..PairProperties::ELASTIC
+    };
+    let mut setup = setup(sticky, sticky);
+    setup.laws.normal = NormalLaw::Jkr;
+    setup.fills = vec![one("drop", 0.1 * Vec3::z(), Vec3::zeros())];
+    setup.skin = Some(1.0e-6);
+    let mistakes = Model::new(setup).expect_err("the skin is too thin");
+    assert_eq!(mistakes[0].key, "contact.skin");
 }

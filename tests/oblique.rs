@@ -157,7 +157,7 @@ fn partial_slip_has_the_spin_and_slide_of_the_exact_solution() {
     // Here the stiff sphere's default is 36 steps per contact.
     held(
         "oblique",
-        "the same at the default step",
+        "spin after an elastic hit by partial slip, 6 angles, ν 0.3 and 0.4, at the default step",
         partial_slip_error(None),
         0.03,
         exact,

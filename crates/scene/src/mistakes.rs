@@ -81,7 +81,8 @@ impl fmt::Display for Mistake {
             Place::Override(key) => write!(f, "{}: --set {key}:", self.file)?,
             Place::Whole => write!(f, "{}:", self.file)?,
         }
-        if !self.key.is_empty() {
+        let is_named = matches!(&self.place, Place::Override(key) if *key == self.key);
+        if !self.key.is_empty() && !is_named {
             write!(f, " {}:", self.key)?;
         }
         // Lines to add are set off, so that they can be copied.

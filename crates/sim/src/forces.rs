@@ -58,7 +58,7 @@ pub(crate) fn sum_loads(model: &Model, state: &mut State, workspace: &mut Worksp
             contacts,
             touches,
             loads: own,
-            tally: ForceTally::new(model.setup().walls.len(), books.contacts.max_force),
+            tally: ForceTally::new(model.setup().walls.len(), &books.contacts),
         });
     }
     let tallies = chunk::map(is_parallel, work, |mut chunk| {
@@ -67,6 +67,6 @@ pub(crate) fn sum_loads(model: &Model, state: &mut State, workspace: &mut Worksp
         wall_contacts::add_forces(&mut chunk);
         chunk.tally
     });
-    let nothing = ForceTally::new(model.setup().walls.len(), books.contacts.max_force);
+    let nothing = ForceTally::new(model.setup().walls.len(), &books.contacts);
     tallies.into_iter().fold(nothing, ForceTally::merged)
 }

@@ -78,9 +78,7 @@ impl ContactStatistics {
         let ends = 2 * step.open - step.open_with_walls;
         self.mean_coordination = ends as f64 / pellets.max(1) as f64;
         self.max_force = step.max_force;
-        if let Some(deepest) = step.deepest {
-            self.max_overlap_ratio = self.max_overlap_ratio.max(deepest.ratio);
-        }
+        self.max_overlap_ratio = step.max_overlap_ratio;
         self.contact_steps += step.open;
         if step.finished > 0 {
             let total = self.mean_steps * self.finished as f64 + step.finished_steps as f64;

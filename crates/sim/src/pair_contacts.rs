@@ -6,7 +6,7 @@
 use crate::forces::ForceChunk;
 use crate::memory::ContactMemory;
 use crate::state::{Pellets, vector};
-use crate::tally::Partner;
+use crate::tally::{DeepestContact, Partner};
 use crate::workspace::{Load, Touch};
 use pelletflow_core::contact::batch::{Batch, LANES, Sphere};
 use pelletflow_core::{ContactForce, ContactHistory, Vec3};
@@ -139,7 +139,7 @@ fn add_force(
     batch: &Batch,
     lane: usize,
     touch: Touch,
-    last: impl FnOnce() -> ContactHistory,
+    last: impl Fn() -> ContactHistory,
 ) {
     let (local, b) = (touch.local as usize, touch.partner as usize);
     let a = chunk.range.start + local;
@@ -156,20 +156,16 @@ fn add_force(
         );
     }
     if is_counted(&chunk.range, a, b) {
-        let pair = || {
-            chunk
-                .model
-                .pair_of_kinds(chunk.pellets.kind[a], chunk.pellets.kind[b])
-        };
-        chunk.tally.open(
-            &force,
-            || (batch.contact(lane), *pair(), last()),
-            chunk.model,
-        );
+        let kind = &chunk.pellets.kind;
+        let pair = || *chunk.model.pair_of_kinds(kind[a], kind[b]);
         let smaller = chunk.pellets.position[a][3].min(chunk.pellets.position[b][3]);
-        chunk
-            .tally
-            .depth(batch.overlap(lane) / smaller, a, Partner::Pellet(b));
+        let depth = DeepestContact {
+            ratio: batch.overlap(lane) / smaller,
+            pellet: a,
+            partner: Partner::Pellet(b),
+        };
+        let contact = || (batch.contact(lane), pair(), last());
+        chunk.tally.open(&force, depth, contact, chunk.model);
     }
 }
 

@@ -1,5 +1,6 @@
 //! What the contacts of one chunk did in one step; merged in chunk order.
 
+use crate::ledger::ContactStatistics;
 use crate::model::Model;
 use pelletflow_core::{Contact, ContactForce, ContactHistory, MaterialPair, Vec3};
 
@@ -10,7 +11,10 @@ pub(crate) enum Partner {
     Wall(usize),
 }
 
-/// The deepest contact met.
+/// A record is looked for from this share of the last one on [-].
+const LIKELY_RECORD: f64 = 0.9;
+
+/// How deep a contact is, over the radius that it is measured by.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct DeepestContact {
     pub(crate) ratio: f64,
@@ -25,7 +29,11 @@ pub(crate) struct ForceTally {
     pub(crate) open: u64,
     /// Open contacts with walls.
     pub(crate) open_with_walls: u64,
+    /// Greatest so far, in this step or before.
     pub(crate) max_force: f64,
+    /// Greatest so far, in this step or before.
+    pub(crate) max_overlap_ratio: f64,
+    /// Deepest sample of this step.
     pub(crate) deepest: Option<DeepestContact>,
     pub(crate) elastic_energy: f64,
     pub(crate) dissipation: f64,
@@ -40,11 +48,12 @@ pub(crate) struct ForceTally {
 }
 
 impl ForceTally {
-    pub(crate) fn new(walls: usize, max_force_so_far: f64) -> Self {
+    pub(crate) fn new(walls: usize, so_far: &ContactStatistics) -> Self {
         Self {
             open: 0,
             open_with_walls: 0,
-            max_force: max_force_so_far,
+            max_force: so_far.max_force,
+            max_overlap_ratio: so_far.max_overlap_ratio,
             deepest: None,
             elastic_energy: 0.0,
             dissipation: 0.0,
@@ -58,12 +67,13 @@ impl ForceTally {
         }
     }
 
-    /// Enters an open contact; `contact` is asked for only where its force may be the greatest so far.
+    /// Enters an open contact; `contact` is asked for only where it may hold a record.
     #[inline]
     pub(crate) fn open(
         &mut self,
         force: &ContactForce,
-        contact: impl FnOnce() -> (Contact, MaterialPair, ContactHistory),
+        depth: DeepestContact,
+        contact: impl Fn() -> (Contact, MaterialPair, ContactHistory),
         model: &Model,
     ) {
         self.open += 1;
@@ -71,25 +81,30 @@ impl ForceTally {
         self.dissipation += force.dissipation;
         self.shear_energy += force.shear_energy;
         self.shear_power += force.shear_power;
-        // Between two steps the force rises by at most a few percent; only a likely record is looked at closely.
-        if force.normal > 0.9 * self.max_force {
+        // Between two steps force and overlap rise by a few percent; only a likely record is looked at closely.
+        if force.normal > LIKELY_RECORD * self.max_force {
             let (contact, pair, history) = contact();
-            let peak = model
-                .laws()
-                .peak_force_near(&contact, &pair, &history, model.sampling());
+            let laws = model.laws();
+            let peak = laws.peak_force_near(&contact, &pair, &history, model.sampling());
             self.max_force = self.max_force.max(peak);
         }
+        if depth.ratio > LIKELY_RECORD * self.max_overlap_ratio {
+            let (contact, pair, history) = contact();
+            let laws = model.laws();
+            let peak = laws.peak_overlap_near(&contact, &pair, &history, model.sampling());
+            let ratio = depth.ratio * peak / contact.overlap;
+            self.max_overlap_ratio = self.max_overlap_ratio.max(ratio);
+        }
+        self.deepen(depth);
     }
 
-    /// Enters the depth of a contact over the radius that it is measured by.
     #[inline]
-    pub(crate) fn depth(&mut self, ratio: f64, pellet: usize, partner: Partner) {
-        if self.deepest.is_none_or(|deepest| ratio > deepest.ratio) {
-            self.deepest = Some(DeepestContact {
-                ratio,
-                pellet,
-                partner,
-            });
+    fn deepen(&mut self, depth: DeepestContact) {
+        if self
+            .deepest
+            .is_none_or(|deepest| depth.ratio > deepest.ratio)
+        {
+            self.deepest = Some(depth);
         }
     }
 
@@ -106,8 +121,9 @@ impl ForceTally {
         self.open += other.open;
         self.open_with_walls += other.open_with_walls;
         self.max_force = self.max_force.max(other.max_force);
+        self.max_overlap_ratio = self.max_overlap_ratio.max(other.max_overlap_ratio);
         if let Some(deepest) = other.deepest {
-            self.depth(deepest.ratio, deepest.pellet, deepest.partner);
+            self.deepen(deepest);
         }
         self.elastic_energy += other.elastic_energy;
         self.dissipation += other.dissipation;

@@ -3,7 +3,7 @@
 use crate::forces::ForceChunk;
 use crate::pair_contacts::add_load;
 use crate::state::vector;
-use crate::tally::Partner;
+use crate::tally::{DeepestContact, Partner};
 use crate::workspace::NearWall;
 use pelletflow_core::{Contact, Vec3};
 
@@ -76,9 +76,14 @@ fn touch(chunk: &mut ForceChunk, local: usize, index: usize, slot: usize) -> boo
 
     let moment: Vec3 = -arm * normal.cross(&force.force);
     add_load(&mut chunk.loads[local], &force, 1.0, moment);
-    chunk.tally.open(&force, || (contact, *pair, last), model);
+    let depth = DeepestContact {
+        ratio: overlap / radius,
+        pellet: a,
+        partner: Partner::Wall(index),
+    };
+    let found = || (contact, *pair, last);
+    chunk.tally.open(&force, depth, found, model);
     chunk.tally.open_with_walls += 1;
-    chunk.tally.depth(overlap / radius, a, Partner::Wall(index));
     chunk.tally.wall_force[index] -= force.force;
     chunk.tally.wall_power +=
         force.force.dot(&wall_velocity) + force.turning_torque.dot(&wall_spin);

@@ -138,7 +138,7 @@ fn table(claims: &[&Claim]) -> String {
             source,
             ..
         } = claim;
-        writeln!(table, "| {what} | {error:.1e} | {bound:.0e} | {source} |")
+        writeln!(table, "| {what} | {error:.1e} | {bound:.1e} | {source} |")
             .expect("a string takes any text");
     }
     table.push('\n');
@@ -167,7 +167,7 @@ mod tests {
         let page = "before\n<!-- held: rolling -->\nold\n<!-- end -->\nafter\n";
         let page = with_tables(page, std::slice::from_ref(&claim)).expect("the marks are there");
         assert!(
-            page.contains("| 5/7 | 1.0e-4 | 1e-3 | mechanics |"),
+            page.contains("| 5/7 | 1.0e-4 | 1.0e-3 | mechanics |"),
             "{page}"
         );
         assert!(

@@ -3,7 +3,7 @@
 use super::batch::{self, Batch};
 use super::laws::TurningLaw;
 use super::normal::{Normal, NormalForce};
-use super::peak;
+use super::peak::{self, Quantity};
 use super::sampling::{Sample, Sampling};
 use super::spring::{SpringForce, turned_into_plane};
 use super::tangential::{Slide, Tangential};
@@ -123,8 +123,9 @@ pub(super) fn forces<N: Normal, T: Tangential, W: Turnings + Default>(
     true
 }
 
-/// Greatest normal force within a step of a sample [N].
-pub(super) fn peak_force_near<N: Normal>(
+/// Greatest force or overlap within a step of a sample; that of the sample where the top is farther away.
+pub(super) fn peak_near<N: Normal>(
+    quantity: Quantity,
     contact: &Contact,
     pair: &MaterialPair,
     history: &ContactHistory,
@@ -139,8 +140,12 @@ pub(super) fn peak_force_near<N: Normal>(
     } else {
         sampling.true_motion(contact, &touch.sample)
     };
-    peak::force_near::<N>(contact, pair, history, from, sampling.time_step())
-        .unwrap_or(touch.sample.law.force)
+    let sampled = match quantity {
+        Quantity::Force => touch.sample.law.force,
+        Quantity::Overlap => contact.overlap,
+    };
+    let time_step = sampling.time_step();
+    peak::top_near::<N>(quantity, contact, pair, history, from, time_step).unwrap_or(sampled)
 }
 
 #[inline(always)]

@@ -3,6 +3,7 @@
 use super::batch::Batch;
 use super::compose::{self, Chosen, Fixed};
 use super::normal::{Hertz, Jkr, Linear, Plastic, pull_off_gap};
+use super::peak::Quantity;
 use super::tangential::{Coulomb, Mindlin, NoFriction, PartialSlip};
 use super::turning::{ConstantTorque, FreeTurning};
 use super::{Contact, ContactForce, ContactHistory, Sampling};
@@ -166,10 +167,20 @@ impl ContactLaws {
         history: &ContactHistory,
         sampling: &Sampling,
     ) -> f64 {
-        with_normal!(
-            self,
-            peak_force_near[](contact, pair, history, sampling)
-        )
+        let quantity = Quantity::Force;
+        with_normal!(self, peak_near[](quantity, contact, pair, history, sampling))
+    }
+
+    /// Greatest overlap within a step of a sample [m]; that of the sample where the top is farther away.
+    pub fn peak_overlap_near(
+        &self,
+        contact: &Contact,
+        pair: &MaterialPair,
+        history: &ContactHistory,
+        sampling: &Sampling,
+    ) -> f64 {
+        let quantity = Quantity::Overlap;
+        with_normal!(self, peak_near[](quantity, contact, pair, history, sampling))
     }
 
     /// Gap between two surfaces up to which bodies that have touched hold on to each other [m].

@@ -1,4 +1,4 @@
-//! The greatest force between two samples of a contact.
+//! The greatest force and the greatest overlap between two samples of a contact.
 
 use super::normal::Normal;
 use super::{Contact, ContactHistory};
@@ -16,11 +16,21 @@ pub(super) struct Motion {
     pub(super) speed: f64,
 }
 
-/// Greatest normal force within a step of a motion [N]; none where the top is farther away.
+/// What has a top.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Quantity {
+    /// The normal force [N].
+    Force,
+    /// The overlap [m].
+    Overlap,
+}
+
+/// Greatest value within a step of a motion; none where the top is farther away.
 ///
 /// Samples of a smooth peak fall short of it by up to 1.5 % at 12 steps per contact. The contact is followed by itself
 /// from the sample toward its top, by the classical method of Runge and Kutta over parts of a step.
-pub(super) fn force_near<N: Normal>(
+pub(super) fn top_near<N: Normal>(
+    quantity: Quantity,
     contact: &Contact,
     pair: &MaterialPair,
     history: &ContactHistory,
@@ -34,22 +44,27 @@ pub(super) fn force_near<N: Normal>(
         };
         N::force(&at, pair, history, motion.speed).force
     };
+    let value_of = |motion: Motion| match quantity {
+        Quantity::Force => force_of(motion),
+        Quantity::Overlap => motion.overlap,
+    };
     let mut motion = from;
     let part = time_step / f64::from(PARTS);
-    let here = force_of(motion);
+    let here = value_of(motion);
     let ahead = advanced(motion, part, contact.effective_mass, force_of);
-    let time = if force_of(ahead) > here { part } else { -part };
+    let time = if value_of(ahead) > here { part } else { -part };
     let mut last = [here, here];
     for _ in 0..PARTS {
         motion = advanced(motion, time, contact.effective_mass, force_of);
-        let force = force_of(motion);
-        if force <= last[1] {
-            return Some(top_of_parabola(last[0], last[1], force));
+        let value = value_of(motion);
+        if value <= last[1] {
+            return Some(top_of_parabola(last[0], last[1], value));
         }
-        last = [last[1], force];
+        last = [last[1], value];
     }
     None
 }
+
 /// The motion of the contact by itself, `m* δ̈ = −F`, a time later [s].
 fn advanced(from: Motion, time: f64, mass: f64, force_of: impl Fn(Motion) -> f64) -> Motion {
     let rate = |motion: Motion| Motion {
