@@ -208,7 +208,7 @@ fn an_overrides_mistake_is_the_overrides_and_not_a_lines() {
         .expect_err("a mass")
         .to_string();
     assert!(
-        text.starts_with("scene.toml: --set pellets.ore.diameter: pellets.ore.diameter: "),
+        text.starts_with("scene.toml: --set pellets.ore.diameter: `diameter`"),
         "{text}"
     );
     let text = draft_with(GOOD, &["pellets.ore.diametre=15 mm"])
