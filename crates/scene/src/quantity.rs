@@ -123,6 +123,8 @@ quantities! {
     SurfaceEnergy: SurfaceEnergy, Positive;
     /// A share of a whole [-].
     Share: Share, Positive;
+    /// A share of a whole that may be nothing [-].
+    Portion: Share, NotNegative;
 }
 
 /// How fast pellets come: mass per time [kg/s] or pellets per time [1/s].

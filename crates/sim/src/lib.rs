@@ -17,6 +17,7 @@ pub mod plan;
 pub mod schedule;
 pub mod setup;
 pub mod simulation;
+pub mod size;
 pub mod skipped;
 pub mod state;
 pub mod time_step;
@@ -47,7 +48,7 @@ pub use ledger::{ContactStatistics, EnergyLedger, MassLedger, PelletTally};
 pub use meter::MeterReading;
 pub use model::Model;
 pub use motion::Motion;
-pub use pellet::{PelletKind, PelletView, SizeDistribution};
+pub use pellet::{PelletKind, PelletView};
 pub use plan::{RunPlan, StopCondition};
 pub use schedule::Schedule;
 pub use setup::{
@@ -55,6 +56,7 @@ pub use setup::{
     Seats, Setup, Skips,
 };
 pub use simulation::{Phase, Simulation, WallView};
+pub use size::SizeDistribution;
 pub use skipped::Skipped;
 pub use state::State;
 pub use time_step::{StepRequest, TimeStep};

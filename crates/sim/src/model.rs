@@ -1,8 +1,8 @@
 //! A validated setup, and what follows from it.
 
 use crate::error::SetupError;
-use crate::pellet::SizeDistribution;
 use crate::setup::Setup;
+use crate::size::SizeDistribution;
 use crate::time_step::{self, TimeStep};
 use crate::validate;
 use crate::wall_contacts::LEAST_CURVATURE_SHARE;
@@ -25,6 +25,8 @@ struct Derived {
     pairs_of_kinds: Vec<MaterialPair>,
     /// Effective values by kind of pellet and wall.
     pairs_with_walls: Vec<MaterialPair>,
+    /// By kind [kg].
+    mean_masses: Vec<f64>,
     skin: f64,
     smallest_diameter: f64,
     largest_diameter: f64,
@@ -99,13 +101,9 @@ impl Model {
         self.setup.mass(kind, radius)
     }
 
-    /// Mass of a pellet of a kind and the mean of its extreme diameters [kg].
-    pub(crate) fn mean_mass(&self, kind: usize) -> f64 {
-        let size = &self.setup.pellets[kind].size;
-        self.mass(
-            kind,
-            f64::midpoint(size.min_diameter(), size.max_diameter()) / 2.0,
-        )
+    /// Mean mass of the pellets of a kind [kg].
+    pub fn mean_mass(&self, kind: usize) -> f64 {
+        self.derived.mean_masses[kind]
     }
 
     /// How samples of the contact forces stand for steps.
@@ -179,6 +177,13 @@ impl Derived {
         Self {
             pairs_of_kinds,
             pairs_with_walls,
+            mean_masses: setup
+                .pellets
+                .iter()
+                .map(|kind| {
+                    setup.materials[kind.material].material.density * kind.size.mean_volume()
+                })
+                .collect(),
             holding_gap,
             skin: setup.skin.unwrap_or(
                 SKIN_SHARE * f64::midpoint(smallest_diameter, largest_diameter) + holding_gap,

@@ -1,5 +1,6 @@
 //! Kinds of pellets, their sizes, and one pellet as others see it.
 
+use crate::size::SizeDistribution;
 use pelletflow_core::Vec3;
 use serde::{Deserialize, Serialize};
 
@@ -12,43 +13,6 @@ pub struct PelletKind {
     pub material: usize,
     /// Sizes.
     pub size: SizeDistribution,
-}
-
-/// How large the pellets of a kind are.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "kind", rename_all = "kebab-case")]
-#[non_exhaustive]
-pub enum SizeDistribution {
-    /// All alike.
-    Single {
-        /// Diameter [m].
-        diameter: f64,
-    },
-    /// Any diameter between two is as likely, by number.
-    Uniform {
-        /// Smallest diameter [m].
-        min_diameter: f64,
-        /// Largest diameter [m].
-        max_diameter: f64,
-    },
-}
-
-impl SizeDistribution {
-    /// Smallest diameter [m].
-    pub fn min_diameter(&self) -> f64 {
-        match *self {
-            Self::Single { diameter } => diameter,
-            Self::Uniform { min_diameter, .. } => min_diameter,
-        }
-    }
-
-    /// Largest diameter [m].
-    pub fn max_diameter(&self) -> f64 {
-        match *self {
-            Self::Single { diameter } => diameter,
-            Self::Uniform { max_diameter, .. } => max_diameter,
-        }
-    }
 }
 
 /// One pellet at one instant.

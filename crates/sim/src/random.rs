@@ -1,6 +1,5 @@
 //! Random draws without memory: each is keyed by seed, purpose and serial number, so nothing is left to store.
 
-use crate::pellet::SizeDistribution;
 use pelletflow_core::{Bounds, Vec3};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -45,22 +44,14 @@ impl Draw {
         self.generator.random()
     }
 
+    /// The generator itself, for distributions.
+    pub(crate) fn generator(&mut self) -> &mut ChaCha8Rng {
+        &mut self.generator
+    }
+
     /// A point of a box [m].
     pub(crate) fn point(&mut self, bounds: &Bounds) -> Vec3 {
         let fractions = Vec3::new(self.unit(), self.unit(), self.unit());
         bounds.min + fractions.component_mul(&(bounds.max - bounds.min))
-    }
-}
-
-impl SizeDistribution {
-    /// A diameter [m].
-    pub(crate) fn draw(&self, draw: &mut Draw) -> f64 {
-        match *self {
-            Self::Single { diameter } => diameter,
-            Self::Uniform {
-                min_diameter,
-                max_diameter,
-            } => min_diameter + draw.unit() * (max_diameter - min_diameter),
-        }
     }
 }

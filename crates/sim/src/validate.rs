@@ -170,6 +170,8 @@ impl Mistakes {
             );
             if least > greatest || !greatest.is_finite() {
                 self.add(key, format!("the smallest is {least} m and the largest {greatest} m; expected the smallest first"));
+            } else if let Err(mistake) = kind.size.validate() {
+                self.add(key, mistake);
             }
         }
     }

@@ -173,10 +173,6 @@ fn fed(scene: &Scene, inlet: &Inlet) -> f64 {
     let seconds = (inlet.end.min(scene.plan.end_time) - inlet.start).max(0.0);
     match inlet.rate {
         Rate::Count(rate) => rate * seconds,
-        Rate::Mass(rate) => {
-            let size = scene.setup.pellets[inlet.pellets].size;
-            let mean_diameter = f64::midpoint(size.min_diameter(), size.max_diameter());
-            rate * seconds / scene.model.mass(inlet.pellets, mean_diameter / 2.0)
-        }
+        Rate::Mass(rate) => rate * seconds / scene.model.mean_mass(inlet.pellets),
     }
 }

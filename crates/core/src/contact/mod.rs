@@ -1,7 +1,7 @@
 //! Contact laws: a touch in, a force out.
 //!
 //! A law is composed of four parts: normal, tangential, rolling and twisting. Each choice is one file.
-//! To add one: write its file in the folder of its part, then add its variant and its arm in [`laws`](self::laws).
+//! To add one: write its file in the folder of its part, then add its variant and its arm in `laws.rs`.
 #![expect(
     clippy::inline_always,
     reason = "a call in the loop of a batch would keep it from using vector instructions"

@@ -341,3 +341,19 @@ fn every_object(value: &serde_json::Value, visit: &mut impl FnMut(&serde_json::V
         _ => {}
     }
 }
+
+#[test]
+fn a_screen_analysis_is_read_as_diameters_by_mass() {
+    let text = GOOD.replace(
+        "diameter = \"15 mm\"",
+        "diameter = { openings = [\"10 mm\", \"12 mm\", \"16 mm\"], passing = [0, \"30 %\", 1] }",
+    );
+    let draft = draft_with(&text, &[]).expect("no mistake");
+    assert_eq!(
+        draft.resolved.setup.pellets[0].size,
+        SizeDistribution::Sieve {
+            openings: vec![0.010, 0.012, 0.016],
+            passing: vec![0.0, 0.3, 1.0],
+        }
+    );
+}

@@ -10,7 +10,6 @@ use crate::spec::shape::ShapeSpec;
 use pelletflow_core::{Bounds, Shape, Vec3};
 use pelletflow_sim::{
     Fill, FillAmount, Inlet, Meter, NamedMaterial, Outlet, PelletKind, Rate, Seats,
-    SizeDistribution,
 };
 
 /// Most pellets of a scene; each takes about a kilobyte with its contacts [-].
@@ -163,7 +162,7 @@ impl Resolver<'_> {
         let mass_of = |kind: usize| {
             let kind = pellets.get(kind)?;
             let material = &materials.get(kind.material)?.material;
-            Some(material.density * mean_volume(&kind.size))
+            Some(material.density * kind.size.mean_volume())
         };
         for fill in fills {
             let path = KeyPath::of(["fill", &fill.name]);
@@ -220,12 +219,4 @@ impl Resolver<'_> {
             );
         }
     }
-}
-
-/// Mean volume of the pellets of a size distribution [m³].
-fn mean_volume(size: &SizeDistribution) -> f64 {
-    let (min, max) = (size.min_diameter(), size.max_diameter());
-    // The mean of d³ over [min, max].
-    let mean_cube = (min + max) * (min * min + max * max) / 4.0;
-    std::f64::consts::PI / 6.0 * mean_cube
 }

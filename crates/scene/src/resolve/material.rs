@@ -5,10 +5,10 @@ use crate::key_path::KeyPath;
 use crate::named::Named;
 use crate::quantity::{Density, Modulus};
 use crate::spec::SceneSpec;
-use crate::spec::material::{DiameterSpec, MaterialSpec, PairSpec};
+use crate::spec::material::{MaterialSpec, PairSpec};
 use crate::suggest;
 use pelletflow_core::{Material, PairProperties};
-use pelletflow_sim::{NamedMaterial, PelletKind, SizeDistribution};
+use pelletflow_sim::{NamedMaterial, PelletKind};
 use std::collections::BTreeMap;
 
 impl Resolver<'_> {
@@ -64,29 +64,6 @@ impl Resolver<'_> {
                 }
             })
             .collect()
-    }
-
-    fn size(&mut self, diameter: &DiameterSpec, path: &KeyPath) -> SizeDistribution {
-        match diameter {
-            DiameterSpec::Single(diameter) => SizeDistribution::Single {
-                diameter: diameter.0,
-            },
-            DiameterSpec::Uniform(range) => {
-                let (min_diameter, max_diameter) = (range.min.0, range.max.0);
-                if min_diameter > max_diameter {
-                    self.findings.add(
-                        path,
-                        format!(
-                            "`min` is {min_diameter} m and `max` {max_diameter} m; exchange them"
-                        ),
-                    );
-                }
-                SizeDistribution::Uniform {
-                    min_diameter,
-                    max_diameter,
-                }
-            }
-        }
     }
 
     pub(super) fn pairs(&mut self) -> Vec<([usize; 2], PairProperties)> {

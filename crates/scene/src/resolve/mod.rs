@@ -5,6 +5,7 @@ mod feed;
 mod material;
 mod run;
 mod shape;
+mod size;
 mod wall;
 
 use crate::expect::Expectations;

@@ -1,6 +1,6 @@
 //! `[materials.NAME]`, `[pairs."A-B"]`, `[pellets.NAME]` and `[strength]`.
 
-use crate::quantity::{Density, Force, Modulus, Size, Stiffness, SurfaceEnergy};
+use crate::quantity::{Density, Force, Modulus, Portion, Size, Stiffness, SurfaceEnergy};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -51,28 +51,42 @@ pub(crate) struct PairSpec {
 pub(crate) struct PelletSpec {
     /// Name of the material.
     pub(crate) material: String,
-    /// Diameter of all [m], or `{ min, max }`: any between the two is as likely, by number.
+    /// Diameter of all [m], or a table of a distribution.
     pub(crate) diameter: DiameterSpec,
 }
 
-/// Diameter of all [m], or `{ min, max }`.
+/// Diameter of all [m], or a table of a distribution.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(untagged)]
 pub(crate) enum DiameterSpec {
     /// All alike [m].
     Single(Size),
-    /// Any between two is as likely, by number.
-    Uniform(DiameterRange),
+    /// Of a distribution.
+    Distributed(DistributionSpec),
 }
 
-/// A range of diameters.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct DiameterRange {
-    /// Smallest diameter [m].
-    pub(crate) min: Size,
-    /// Largest diameter [m].
-    pub(crate) max: Size,
+/// A distribution of diameters: `min` and `max` alone, any between as likely by number; with `mean` and `deviation`
+/// normal; with `median` and `spread` log-normal; or `openings` and `passing` of a screen analysis.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub(crate) struct DistributionSpec {
+    /// Smallest diameter [m]; three deviations below the middle where none is given.
+    pub(crate) min: Option<Size>,
+    /// Largest diameter [m]; three deviations above the middle where none is given.
+    pub(crate) max: Option<Size>,
+    /// Mean of a normal distribution, by number [m].
+    pub(crate) mean: Option<Size>,
+    /// Standard deviation of a normal distribution [m].
+    pub(crate) deviation: Option<Size>,
+    /// Median of a log-normal distribution, by number [m].
+    pub(crate) median: Option<Size>,
+    /// Standard deviation of the logarithm of a log-normal distribution [-].
+    #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 2.0))]
+    pub(crate) spread: Option<f64>,
+    /// Openings of the sieves of a screen analysis, rising [m].
+    pub(crate) openings: Option<Vec<Size>>,
+    /// Mass that passes each of them over the whole, rising from 0 to 1 [-].
+    pub(crate) passing: Option<Vec<Portion>>,
 }
 
 /// What a pellet withstands.
