@@ -18,13 +18,13 @@ impl Resolver<'_> {
             DiameterSpec::Distributed(spec) => match distribution(spec) {
                 Ok(sizes) => {
                     let (min, max) = (sizes.min_diameter(), sizes.max_diameter());
-                    if min > max {
+                    if let Err(mistake) = sizes.validate() {
+                        self.findings.add(path, mistake);
+                    } else if min > max {
                         self.findings.add(
                             path,
                             format!("`min` is {min} m and `max` {max} m; exchange them"),
                         );
-                    } else if let Err(mistake) = sizes.validate() {
-                        self.findings.add(path, mistake);
                     }
                     sizes
                 }
