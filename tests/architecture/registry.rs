@@ -27,7 +27,7 @@ const FAMILIES: [Family; 4] = [
             ("Translated", "placement"),
             ("Rotated", "placement"),
         ],
-        shared: &["mod", "contract"],
+        shared: &["mod", "contract", "validation"],
     },
     Family {
         folder: "crates/core/src/contact/normal",

@@ -1,109 +1,11 @@
-//! What every shape promises, held for each row of one table.
+//! What every shape promises, held for each row of the table in `registry.rs`.
+
+mod registry;
 
 use super::{Profile, Shape, Surface};
 use crate::Vec3;
-use nalgebra::{UnitQuaternion, Vector3};
-
-/// One of each shape, with whether its distance is exact everywhere outside.
-fn registry() -> Vec<(&'static str, Shape, bool)> {
-    let turn = UnitQuaternion::from_euler_angles(0.4, -0.7, 1.1);
-    let cuboid = Shape::Cuboid {
-        half_sides: Vec3::new(0.5, 0.7, 0.3),
-    };
-    let ball = Shape::Sphere { radius: 0.6 };
-    let cylinder = Shape::Cylinder {
-        radius: 0.4,
-        half_length: 0.8,
-    };
-    let hopper = Profile::Closed {
-        corners: vec![
-            [0.3, -0.5],
-            [0.8, 0.4],
-            [0.8, 0.9],
-            [0.9, 0.9],
-            [0.9, 0.35],
-            [0.4, -0.5],
-        ],
-    };
-    let plate = Profile::Plate {
-        corners: vec![[0.3, -0.5], [0.8, 0.4], [0.8, 0.9]],
-        thickness: 0.1,
-    };
-    vec![
-        (
-            "half-space",
-            Shape::HalfSpace {
-                point: Vec3::new(0.1, 0.2, 0.3),
-                normal: nalgebra::Unit::new_normalize(Vec3::new(1.0, -2.0, 0.5)),
-            },
-            true,
-        ),
-        ("sphere", ball.clone(), true),
-        ("cylinder", cylinder.clone(), true),
-        (
-            "cone",
-            Shape::Cone {
-                lower_radius: 0.2,
-                upper_radius: 0.8,
-                half_length: 0.5,
-            },
-            true,
-        ),
-        (
-            "pointed cone",
-            Shape::Cone {
-                lower_radius: 0.0,
-                upper_radius: 0.8,
-                half_length: 0.5,
-            },
-            true,
-        ),
-        ("box", cuboid.clone(), true),
-        (
-            "revolution, closed",
-            Shape::Revolution { profile: hopper },
-            true,
-        ),
-        (
-            "revolution, plate",
-            Shape::Revolution { profile: plate },
-            true,
-        ),
-        (
-            "union",
-            Shape::Union {
-                of: vec![ball.clone().translated(Vec3::x()), cuboid.clone()],
-            },
-            true,
-        ),
-        (
-            "intersection",
-            Shape::Intersection {
-                of: vec![ball.clone(), cuboid.clone()],
-            },
-            false,
-        ),
-        (
-            "difference",
-            Shape::Difference {
-                of: Box::new(cuboid.clone()),
-                minus: Box::new(ball),
-            },
-            false,
-        ),
-        (
-            "translated",
-            cylinder.clone().translated(Vec3::new(0.2, -0.3, 0.1)),
-            true,
-        ),
-        ("rotated", cuboid.rotated(turn), true),
-        (
-            "rotated and translated",
-            cylinder.rotated(turn).translated(Vec3::y()),
-            true,
-        ),
-    ]
-}
+use nalgebra::Vector3;
+use registry::registry;
 
 /// Points spread evenly and without a pattern over [−2, 2]³ (additive recurrence).
 fn points(count: usize) -> impl Iterator<Item = Vec3> {
@@ -248,6 +150,36 @@ fn a_hollow_surface_has_negative_curvature() {
 }
 
 #[test]
+fn a_torus_is_curved_as_a_saddle_at_its_hole() {
+    let torus = Shape::Torus {
+        ring_radius: 0.7,
+        tube_radius: 0.3,
+    };
+    let inside = torus.surface(Vec3::new(0.0, 0.1, 0.0));
+    // Along the tube's section 1/0.3, around the hole −1/0.4.
+    let expected = f64::midpoint(1.0 / 0.3, -1.0 / 0.4);
+    assert!((inside.distance - 0.3).abs() < 1.0e-15);
+    assert!((inside.mean_curvature - expected).abs() < 1.0e-12);
+    let outside = torus.surface(Vec3::new(0.0, 2.0, 0.0));
+    let expected = f64::midpoint(1.0 / 0.3, 1.0);
+    assert!((outside.mean_curvature - expected).abs() < 1.0e-12);
+}
+
+#[test]
+fn a_capsule_is_a_ball_at_its_tip_and_a_cylinder_beside() {
+    let capsule = Shape::Capsule {
+        radius: 0.4,
+        half_length: 0.6,
+    };
+    let tip = capsule.surface(Vec3::new(0.0, 0.0, 1.5));
+    assert!((tip.distance - 0.5).abs() < 1.0e-15);
+    assert!((tip.mean_curvature - 1.0 / 0.4).abs() < 1.0e-12);
+    let side = capsule.surface(Vec3::new(1.0, 0.0, 0.5));
+    assert!((side.distance - 0.6).abs() < 1.0e-15);
+    assert!((side.mean_curvature - 0.5 / 0.4).abs() < 1.0e-12);
+}
+
+#[test]
 fn impossible_shapes_are_refused() {
     let crossing = Shape::Revolution {
         profile: Profile::Closed {
@@ -262,6 +194,18 @@ fn impossible_shapes_are_refused() {
         },
         Shape::Cuboid {
             half_sides: Vec3::new(1.0, -1.0, 1.0),
+        },
+        Shape::Torus {
+            ring_radius: 0.3,
+            tube_radius: 0.3,
+        },
+        Shape::Torus {
+            ring_radius: 0.3,
+            tube_radius: 0.0,
+        },
+        Shape::Capsule {
+            radius: 0.1,
+            half_length: 0.0,
         },
         Shape::Union { of: vec![] },
         Shape::Revolution {

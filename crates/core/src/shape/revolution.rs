@@ -54,7 +54,7 @@ impl Profile {
         }
         match self {
             Self::Plate { thickness, .. } => {
-                super::positive("thickness of the profile", *thickness)
+                super::validation::positive("thickness of the profile", *thickness)
             }
             Self::Closed { corners } => no_crossing(corners),
         }

@@ -40,6 +40,22 @@ fn registry() -> Vec<(&'static str, Shape, f64)> {
             PI / 3.0 * (0.04 + 0.16 + 0.64),
         ),
         (
+            "torus",
+            Shape::Torus {
+                ring_radius: 0.7,
+                tube_radius: 0.2,
+            },
+            2.0 * PI * PI * 0.7 * 0.04,
+        ),
+        (
+            "capsule",
+            Shape::Capsule {
+                radius: 0.3,
+                half_length: 0.5,
+            },
+            PI * 0.09 * (1.0 + 0.4),
+        ),
+        (
             "ring with clockwise corners",
             Shape::Revolution {
                 profile: Profile::Closed {

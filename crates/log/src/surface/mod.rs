@@ -30,6 +30,14 @@ impl Mesh {
                 upper_radius,
                 half_length,
             } => turned::mesh(&turned::frustum(*lower_radius, *upper_radius, *half_length)),
+            Shape::Torus {
+                ring_radius,
+                tube_radius,
+            } => turned::mesh(&turned::circle(*ring_radius, *tube_radius)),
+            Shape::Capsule {
+                radius,
+                half_length,
+            } => turned::mesh(&turned::stadium(*radius, *half_length)),
             Shape::Cuboid { half_sides } => cuboid::mesh(&Bounds {
                 min: -half_sides,
                 max: *half_sides,

@@ -104,6 +104,16 @@ fn shapes_stand_where_they_are_put() {
             [0.0, 0.0, -1.0],
         ),
         (
+            "{ kind = \"torus\", center = [1, 0, 0], axis = [1, 0, 0], ring_radius = 0.5, tube_radius = 0.2 }",
+            [1.2, 0.0, 0.5],
+            [1.0, 0.0, 0.0],
+        ),
+        (
+            "{ kind = \"capsule\", base = [0, 0, 1], axis = [0, -1, 0], radius = 0.5, height = 2 }",
+            [0.0, -2.5, 1.0],
+            [0.0, -1.0, 0.0],
+        ),
+        (
             "{ kind = \"box\", min = [0, 0, 0], max = [1, 2, 3] }",
             [0.5, 2.0, 1.5],
             [0.0, 1.0, 0.0],
@@ -327,7 +337,7 @@ fn the_schema_is_draft_7_and_refuses_unknown_keys_everywhere() {
         }
         assert_ne!(object["type"], "null");
     });
-    // Ten kinds of shape, four of motion, two meters, and some twenty tables.
+    // Twelve kinds of shape, four of motion, two meters, and some twenty tables.
     assert!(tables > 30, "{tables}");
 }
 

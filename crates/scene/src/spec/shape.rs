@@ -62,6 +62,28 @@ pub(crate) enum SolidSpec {
         /// Length along the axis [m].
         height: Size,
     },
+    /// A ring, round in its cross-section.
+    Torus {
+        /// Center [m].
+        center: [Coordinate; 3],
+        /// Direction of the axis of the ring, of any length [-]; z where none is given.
+        axis: Option<[f64; 3]>,
+        /// Radius of the circle along the middle of the tube [m].
+        ring_radius: Size,
+        /// Radius of the tube, less than that of the ring [m].
+        tube_radius: Size,
+    },
+    /// A solid cylinder with balls for ends.
+    Capsule {
+        /// Center of the lower ball [m].
+        base: [Coordinate; 3],
+        /// Direction from the lower ball to the upper, of any length [-]; z where none is given.
+        axis: Option<[f64; 3]>,
+        /// Radius of the cylinder and of the balls [m].
+        radius: Size,
+        /// Length along the axis between the centers of the balls [m].
+        height: Size,
+    },
     /// A box along the axes; give `min` and `max`, or `center` and `size`.
     Box {
         /// Lowest corner [m].
