@@ -26,6 +26,8 @@ const FAMILIES: [Family; 4] = [
             ("Difference", "combination"),
             ("Translated", "placement"),
             ("Rotated", "placement"),
+            ("Mirrored", "placement"),
+            ("Scaled", "placement"),
         ],
         shared: &["mod", "contract", "validation"],
     },

@@ -17,10 +17,6 @@ pub(super) fn surface(radius: f64, half_length: f64, point: Vec3) -> Surface {
     Surface {
         distance: from_axis - radius,
         normal,
-        mean_curvature: if is_beside_end {
-            1.0 / radius
-        } else {
-            0.5 / radius
-        },
+        principal_curvatures: [1.0 / radius, if is_beside_end { 1.0 / radius } else { 0.0 }],
     }
 }

@@ -4,7 +4,7 @@ mod registry;
 
 use super::{Profile, Shape, Surface};
 use crate::Vec3;
-use nalgebra::Vector3;
+use nalgebra::{UnitQuaternion, Vector3};
 use registry::registry;
 
 /// Points spread evenly and without a pattern over [−2, 2]³ (additive recurrence).
@@ -124,7 +124,7 @@ fn mean_curvature_is_half_the_divergence_of_the_normal_at_the_surface() {
                         / (2.0 * step)
                 })
                 .sum();
-            let here = shape.surface(on_surface).mean_curvature;
+            let here = shape.surface(on_surface).mean_curvature();
             // A level set 10 µm above a surface of curvature κ = 2 H bends less by the share κ · 10 µm.
             assert!(
                 (divergence / 2.0 - here).abs() < 1.0e-3 + 3.0e-5 * here * here,
@@ -144,9 +144,9 @@ fn a_hollow_surface_has_negative_curvature() {
     };
     let inside = pipe.surface(Vec3::new(0.2, 0.0, 0.0));
     assert!((inside.distance - 0.1).abs() < 1.0e-15);
-    assert!((inside.mean_curvature + 0.5 / 0.3).abs() < 1.0e-12);
+    assert!((inside.mean_curvature() + 0.5 / 0.3).abs() < 1.0e-12);
     let outside = pipe.surface(Vec3::new(0.5, 0.0, 0.0));
-    assert!((outside.mean_curvature - 0.5 / 0.4).abs() < 1.0e-12);
+    assert!((outside.mean_curvature() - 0.5 / 0.4).abs() < 1.0e-12);
 }
 
 #[test]
@@ -159,10 +159,10 @@ fn a_torus_is_curved_as_a_saddle_at_its_hole() {
     // Along the tube's section 1/0.3, around the hole −1/0.4.
     let expected = f64::midpoint(1.0 / 0.3, -1.0 / 0.4);
     assert!((inside.distance - 0.3).abs() < 1.0e-15);
-    assert!((inside.mean_curvature - expected).abs() < 1.0e-12);
+    assert!((inside.mean_curvature() - expected).abs() < 1.0e-12);
     let outside = torus.surface(Vec3::new(0.0, 2.0, 0.0));
     let expected = f64::midpoint(1.0 / 0.3, 1.0);
-    assert!((outside.mean_curvature - expected).abs() < 1.0e-12);
+    assert!((outside.mean_curvature() - expected).abs() < 1.0e-12);
 }
 
 #[test]
@@ -173,10 +173,65 @@ fn a_capsule_is_a_ball_at_its_tip_and_a_cylinder_beside() {
     };
     let tip = capsule.surface(Vec3::new(0.0, 0.0, 1.5));
     assert!((tip.distance - 0.5).abs() < 1.0e-15);
-    assert!((tip.mean_curvature - 1.0 / 0.4).abs() < 1.0e-12);
+    assert!((tip.mean_curvature() - 1.0 / 0.4).abs() < 1.0e-12);
     let side = capsule.surface(Vec3::new(1.0, 0.0, 0.5));
     assert!((side.distance - 0.6).abs() < 1.0e-15);
-    assert!((side.mean_curvature - 0.5 / 0.4).abs() < 1.0e-12);
+    assert!((side.mean_curvature() - 0.5 / 0.4).abs() < 1.0e-12);
+}
+
+#[test]
+fn a_grown_shape_is_curved_as_the_larger_shape_it_is() {
+    let grown = |of: Shape| {
+        let by = 0.25;
+        Shape::Offset {
+            by,
+            of: Box::new(of),
+        }
+        .surface(Vec3::new(1.5, 0.2, 0.1))
+        .mean_curvature()
+    };
+    let cylinder = Shape::Cylinder {
+        radius: 0.5,
+        half_length: 1.0,
+    };
+    let plane = Shape::HalfSpace {
+        point: Vec3::zeros(),
+        normal: Vec3::x_axis(),
+    };
+    // Of radius 0.75; one rounding each.
+    assert!((grown(Shape::Sphere { radius: 0.5 }) - 1.0 / 0.75).abs() < 1.0e-15);
+    assert!((grown(cylinder) - 0.5 / 0.75).abs() < 1.0e-15);
+    assert_eq!(grown(plane), 0.0);
+    // The edge of a box becomes a quarter of a cylinder, its corner an eighth of a ball.
+    let edge = Shape::Cuboid {
+        half_sides: Vec3::new(0.5, 0.1, 1.0),
+    };
+    assert_eq!(grown(edge), 2.0);
+    let corner = Shape::Cuboid {
+        half_sides: Vec3::new(0.5, 0.1, 0.05),
+    };
+    assert_eq!(grown(corner), 4.0);
+}
+
+#[test]
+fn a_mirror_turns_what_is_left_to_the_right() {
+    let capsule = Shape::Capsule {
+        radius: 0.1,
+        half_length: 0.5,
+    };
+    let tilted = capsule.rotated(UnitQuaternion::from_euler_angles(0.0, 0.6, 0.0));
+    let mirrored = Shape::Mirrored {
+        point: Vec3::new(0.3, 0.0, 0.0),
+        normal: Vec3::x_axis(),
+        of: Box::new(tilted.clone()),
+    };
+    for point in points(200) {
+        let image = Vec3::new(0.6 - point.x, point.y, point.z);
+        let (here, there) = (tilted.surface(point), mirrored.surface(image));
+        // Rounding of the way to the plane and back.
+        assert!((here.distance - there.distance).abs() < 1.0e-14);
+        assert!((here.normal.x + there.normal.x).abs() < 1.0e-14);
+    }
 }
 
 #[test]
@@ -206,6 +261,19 @@ fn impossible_shapes_are_refused() {
         Shape::Capsule {
             radius: 0.1,
             half_length: 0.0,
+        },
+        Shape::Scaled {
+            by: -1.0,
+            of: Box::new(Shape::Sphere { radius: 1.0 }),
+        },
+        Shape::Offset {
+            by: 0.0,
+            of: Box::new(Shape::Sphere { radius: 1.0 }),
+        },
+        Shape::Mirrored {
+            point: Vec3::zeros(),
+            normal: Vec3::x_axis(),
+            of: Box::new(Shape::Sphere { radius: 0.0 }),
         },
         Shape::Union { of: vec![] },
         Shape::Revolution {

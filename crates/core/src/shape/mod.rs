@@ -9,6 +9,7 @@ mod cone;
 mod cuboid;
 mod cylinder;
 mod half_space;
+mod offset;
 mod placement;
 mod revolution;
 mod sphere;
@@ -110,6 +111,29 @@ pub enum Shape {
         /// What is turned.
         of: Box<Shape>,
     },
+    /// A shape seen in a plane mirror.
+    Mirrored {
+        /// A point of the plane [m].
+        point: Vec3,
+        /// Direction across the plane [-].
+        normal: UnitVector3<f64>,
+        /// What is mirrored.
+        of: Box<Shape>,
+    },
+    /// A shape made larger or smaller about the origin, alike in all directions.
+    Scaled {
+        /// The factor of all lengths [-].
+        by: f64,
+        /// What is scaled.
+        of: Box<Shape>,
+    },
+    /// A shape and everything within a length of it; its edges become round.
+    Offset {
+        /// That length [m].
+        by: f64,
+        /// What is grown.
+        of: Box<Shape>,
+    },
 }
 
 /// What a shape says of a point.
@@ -119,9 +143,18 @@ pub struct Surface {
     pub distance: f64,
     /// Unit gradient of the distance: the way out of the solid [-].
     pub normal: Vec3,
-    /// Mean curvature of the surface at its point nearest to the query, positive where the solid
-    /// bulges and negative where it is hollow [1/m]. A sharp edge counts as flat: its true radius is unknown.
-    pub mean_curvature: f64,
+    /// Principal curvatures of the surface at its point nearest to the query, positive where the solid
+    /// bulges, negative where it is hollow, and infinite across a sharp edge [1/m].
+    pub principal_curvatures: [f64; 2],
+}
+
+impl Surface {
+    /// Mean curvature at the nearest point [1/m]. A sharp edge counts as flat: its true radius is unknown.
+    pub fn mean_curvature(&self) -> f64 {
+        let [first, second] = self.principal_curvatures;
+        let mean = f64::midpoint(first, second);
+        if mean.is_finite() { mean } else { 0.0 }
+    }
 }
 
 impl Shape {
@@ -157,6 +190,13 @@ impl Shape {
             Self::Difference { of, minus } => combination::difference(of, minus, point),
             Self::Translated { by, of } => placement::translated(*by, of, point),
             Self::Rotated { by, of } => placement::rotated(*by, of, point),
+            Self::Mirrored {
+                point: on_plane,
+                normal,
+                of,
+            } => placement::mirrored(*on_plane, *normal, of, point),
+            Self::Scaled { by, of } => placement::scaled(*by, of, point),
+            Self::Offset { by, of } => offset::surface(*by, of, point),
         }
     }
 
@@ -167,7 +207,20 @@ impl Shape {
 
     /// A box that holds the whole solid [m].
     pub fn bounds(&self) -> Bounds {
-        match self {
+        self.bounds_within(0.0)
+    }
+
+    /// A box that holds every point whose distance is at most this [m].
+    ///
+    /// Beside an edge where the distance falls short of the true one, that is more than the solid's box grown.
+    fn bounds_within(&self, distance: f64) -> Bounds {
+        let all = |of: &[Self], together: fn(&Bounds, &Bounds) -> Bounds| {
+            of.iter()
+                .map(|part| part.bounds_within(distance))
+                .reduce(|a, b| together(&a, &b))
+                .unwrap_or_else(Bounds::nothing)
+        };
+        let solid = match self {
             Self::HalfSpace { point, normal } => half_space::bounds(*point, *normal),
             Self::Sphere { radius } => Bounds::about_origin(Vec3::repeat(*radius)),
             Self::Cylinder {
@@ -195,26 +248,18 @@ impl Shape {
             } => Bounds::about_origin(Vec3::new(*radius, *radius, half_length + radius)),
             Self::Cuboid { half_sides } => Bounds::about_origin(*half_sides),
             Self::Revolution { profile } => profile.bounds(),
-            Self::Union { of } => of
-                .iter()
-                .map(Self::bounds)
-                .reduce(|a, b| a.merged(&b))
-                .unwrap_or_else(Bounds::nothing),
-            Self::Intersection { of } => of
-                .iter()
-                .map(Self::bounds)
-                .reduce(|a, b| a.common(&b))
-                .unwrap_or_else(Bounds::nothing),
-            Self::Difference { of, .. } => of.bounds(),
-            Self::Translated { by, of } => {
-                let bounds = of.bounds();
-                Bounds {
-                    min: bounds.min + by,
-                    max: bounds.max + by,
-                }
+            Self::Union { of } => return all(of, Bounds::merged),
+            Self::Intersection { of } => return all(of, Bounds::common),
+            Self::Difference { of, .. } => return of.bounds_within(distance),
+            Self::Translated { by, of } => return of.bounds_within(distance).translated(*by),
+            Self::Rotated { by, of } => return of.bounds_within(distance).rotated(by),
+            Self::Mirrored { point, normal, of } => {
+                return of.bounds_within(distance).mirrored(*point, *normal);
             }
-            Self::Rotated { by, of } => of.bounds().rotated(by),
-        }
+            Self::Scaled { by, of } => return of.bounds_within(distance / by).scaled(*by),
+            Self::Offset { by, of } => return of.bounds_within(distance + by),
+        };
+        solid.grown(distance)
     }
 
     /// The shape moved by a vector [m].

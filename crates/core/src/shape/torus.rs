@@ -18,7 +18,6 @@ pub(super) fn surface(ring_radius: f64, tube_radius: f64, point: Vec3) -> Surfac
             distance: from_ring - tube_radius,
             normal,
             meridian_curvature: 1.0 / tube_radius,
-            is_edge: false,
         }
     })
 }

@@ -15,6 +15,12 @@ pub enum ShapeError {
         /// Its value [m].
         value: f64,
     },
+    /// A factor that leaves nothing.
+    #[error("the factor of the scaling is {value}; expected more than 0")]
+    FactorNotPositive {
+        /// Its value [-].
+        value: f64,
+    },
     /// A length that leaves no room for the shape it belongs to.
     #[error("{what} is {value} m; expected less than {limit_name}, {limit} m")]
     TooLarge {
@@ -120,6 +126,13 @@ impl Shape {
             Self::Difference { of, minus } => of.validate().and_then(|()| minus.validate()),
             Self::Translated { by, of } => finite("translation", *by).and_then(|()| of.validate()),
             Self::Rotated { of, .. } => of.validate(),
+            Self::Mirrored { point, of, .. } => {
+                finite("point of the mirror", *point).and_then(|()| of.validate())
+            }
+            Self::Scaled { by, of } => factor(*by).and_then(|()| of.validate()),
+            Self::Offset { by, of } => {
+                positive("length of the offset", *by).and_then(|()| of.validate())
+            }
         }
     }
 }
@@ -140,6 +153,19 @@ fn not_negative(what: &'static str, value: f64) -> Result<(), ShapeError> {
         Ok(())
     } else {
         Err(ShapeError::NotPositive { what, value })
+    }
+}
+
+fn factor(value: f64) -> Result<(), ShapeError> {
+    if !value.is_finite() {
+        return Err(ShapeError::NotFinite {
+            what: "factor of the scaling",
+        });
+    }
+    if value > 0.0 {
+        Ok(())
+    } else {
+        Err(ShapeError::FactorNotPositive { value })
     }
 }
 

@@ -32,6 +32,27 @@ impl Resolver<'_> {
                 of: Box::new(self.shape(of, &path.key("of"))),
                 minus: Box::new(self.shape(minus, &path.key("minus"))),
             },
+            SolidSpec::Mirror {
+                of,
+                point: at,
+                normal,
+            } => Shape::Mirrored {
+                point: point(*at),
+                normal: self.direction(*normal, &path.key("normal")),
+                of: Box::new(self.shape(of, &path.key("of"))),
+            },
+            SolidSpec::Scale { of, factor, about } => {
+                let scaled = Shape::Scaled {
+                    by: *factor,
+                    of: Box::new(self.shape(of, &path.key("of"))),
+                };
+                let about = about.map_or_else(Vec3::zeros, point);
+                moved(scaled, (1.0 - factor) * about)
+            }
+            SolidSpec::Offset { of, by } => Shape::Offset {
+                by: by.0,
+                of: Box::new(self.shape(of, &path.key("of"))),
+            },
             primitive => self.primitive(primitive, path),
         }
     }
@@ -122,7 +143,10 @@ impl Resolver<'_> {
             }
             SolidSpec::Union { .. }
             | SolidSpec::Intersection { .. }
-            | SolidSpec::Difference { .. } => {
+            | SolidSpec::Difference { .. }
+            | SolidSpec::Mirror { .. }
+            | SolidSpec::Scale { .. }
+            | SolidSpec::Offset { .. } => {
                 unreachable!("what is made of other shapes is resolved before")
             }
         };

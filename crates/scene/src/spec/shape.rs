@@ -5,6 +5,9 @@ use schemars::{JsonSchema, Schema};
 use serde::Deserialize;
 use serde_json::Value;
 
+/// Largest factor of a scaling [-]; beyond it a unit was mistaken.
+const LARGEST_FACTOR: f64 = 1.0e6;
+
 /// A solid: its kind, and how it is turned and then moved.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[schemars(transform = spread_over_kinds)]
@@ -134,6 +137,32 @@ pub(crate) enum SolidSpec {
         of: Box<ShapeSpec>,
         /// What is taken away.
         minus: Box<ShapeSpec>,
+    },
+    /// A shape seen in a plane mirror.
+    Mirror {
+        /// What is mirrored.
+        of: Box<ShapeSpec>,
+        /// A point of the plane [m].
+        point: [Coordinate; 3],
+        /// Direction across the plane, of any length [-].
+        normal: [f64; 3],
+    },
+    /// A shape made larger or smaller, alike in all directions.
+    Scale {
+        /// What is scaled.
+        of: Box<ShapeSpec>,
+        /// The factor of all lengths [-].
+        #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = LARGEST_FACTOR))]
+        factor: f64,
+        /// The point that stays where it is [m]; the origin where none is given.
+        about: Option<[Coordinate; 3]>,
+    },
+    /// A shape grown outward; its edges become round.
+    Offset {
+        /// What is grown.
+        of: Box<ShapeSpec>,
+        /// By how much [m].
+        by: Size,
     },
 }
 

@@ -9,7 +9,7 @@ type Row = (&'static str, Shape, bool);
 
 /// One of each shape.
 pub(super) fn registry() -> Vec<Row> {
-    [primitives(), combinations(), placements()].concat()
+    [primitives(), combinations(), grown(), placements()].concat()
 }
 
 fn primitives() -> Vec<Row> {
@@ -98,6 +98,22 @@ fn combinations() -> Vec<Row> {
     ]
 }
 
+fn grown() -> Vec<Row> {
+    let grown = |of: Shape| Shape::Offset {
+        by: 0.2,
+        of: Box::new(of),
+    };
+    let acute = Shape::Intersection {
+        of: vec![cuboid(), cuboid().rotated(turn())],
+    };
+    vec![
+        ("offset of a box", grown(cuboid()), true),
+        ("offset of a pointed cone", grown(pointed_cone()), true),
+        ("offset of a torus", grown(torus()), true),
+        ("offset of an intersection", grown(acute), false),
+    ]
+}
+
 fn placements() -> Vec<Row> {
     vec![
         (
@@ -109,6 +125,23 @@ fn placements() -> Vec<Row> {
         (
             "rotated and translated",
             cylinder().rotated(turn()).translated(Vec3::y()),
+            true,
+        ),
+        (
+            "mirrored",
+            Shape::Mirrored {
+                point: Vec3::new(0.2, 0.1, 0.0),
+                normal: nalgebra::Unit::new_normalize(Vec3::new(1.0, 0.5, -0.3)),
+                of: Box::new(cylinder().rotated(turn())),
+            },
+            true,
+        ),
+        (
+            "scaled",
+            Shape::Scaled {
+                by: 1.7,
+                of: Box::new(torus()),
+            },
             true,
         ),
     ]
