@@ -26,8 +26,10 @@ const FAMILIES: [Family; 4] = [
             ("Difference", "combination"),
             ("Translated", "placement"),
             ("Rotated", "placement"),
+            ("Mirrored", "placement"),
+            ("Scaled", "placement"),
         ],
-        shared: &["mod", "contract"],
+        shared: &["mod", "contract", "validation"],
     },
     Family {
         folder: "crates/core/src/contact/normal",

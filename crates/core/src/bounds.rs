@@ -1,7 +1,7 @@
 //! Axis-aligned boxes.
 
 use crate::Vec3;
-use nalgebra::UnitQuaternion;
+use nalgebra::{Matrix3, UnitQuaternion, UnitVector3};
 
 /// An axis-aligned box; infinite where what it holds is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -75,6 +75,42 @@ impl Bounds {
             .iter()
             .chain(self.max.iter())
             .all(|value| value.is_finite())
+    }
+
+    /// The box moved by a vector [m].
+    #[must_use]
+    pub fn translated(&self, by: Vec3) -> Self {
+        Self {
+            min: self.min + by,
+            max: self.max + by,
+        }
+    }
+
+    /// The box with all its lengths, also those from the origin, times a factor [-].
+    #[must_use]
+    pub fn scaled(&self, by: f64) -> Self {
+        Self {
+            min: self.min * by,
+            max: self.max * by,
+        }
+    }
+
+    /// A box about this one mirrored in a plane; everything where a side is infinite.
+    ///
+    /// `on_plane` is a point of the plane [m].
+    #[must_use]
+    pub fn mirrored(&self, on_plane: Vec3, normal: UnitVector3<f64>) -> Self {
+        if !self.is_finite() {
+            return Self::everything();
+        }
+        let normal = normal.into_inner();
+        let reflection = Matrix3::identity() - 2.0 * normal * normal.transpose();
+        let center = on_plane + reflection * ((self.min + self.max) / 2.0 - on_plane);
+        let half_sides = reflection.abs() * ((self.max - self.min) / 2.0);
+        Self {
+            min: center - half_sides,
+            max: center + half_sides,
+        }
     }
 
     /// A box about this one after a turn about the origin; everything where a side is infinite.

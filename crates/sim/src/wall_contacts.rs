@@ -58,7 +58,7 @@ fn touch(chunk: &mut ForceChunk, local: usize, index: usize, slot: usize) -> boo
         vector(&chunk.pellets.velocity[a]),
         vector(&chunk.pellets.spin[a]),
     );
-    let curvature = (1.0 / radius + surface.mean_curvature).max(LEAST_CURVATURE_SHARE / radius);
+    let curvature = (1.0 / radius + surface.mean_curvature()).max(LEAST_CURVATURE_SHARE / radius);
     let contact = Contact {
         normal,
         overlap,

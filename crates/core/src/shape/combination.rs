@@ -46,7 +46,7 @@ fn inside_out(surface: Surface) -> Surface {
     Surface {
         distance: -surface.distance,
         normal: -surface.normal,
-        mean_curvature: -surface.mean_curvature,
+        principal_curvatures: surface.principal_curvatures.map(|curvature| -curvature),
     }
 }
 
@@ -54,5 +54,5 @@ fn inside_out(surface: Surface) -> Surface {
 const NOWHERE: Surface = Surface {
     distance: f64::INFINITY,
     normal: Vec3::new(0.0, 0.0, 1.0),
-    mean_curvature: 0.0,
+    principal_curvatures: [0.0; 2],
 };

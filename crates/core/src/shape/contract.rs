@@ -1,109 +1,11 @@
-//! What every shape promises, held for each row of one table.
+//! What every shape promises, held for each row of the table in `registry.rs`.
+
+mod registry;
 
 use super::{Profile, Shape, Surface};
 use crate::Vec3;
 use nalgebra::{UnitQuaternion, Vector3};
-
-/// One of each shape, with whether its distance is exact everywhere outside.
-fn registry() -> Vec<(&'static str, Shape, bool)> {
-    let turn = UnitQuaternion::from_euler_angles(0.4, -0.7, 1.1);
-    let cuboid = Shape::Cuboid {
-        half_sides: Vec3::new(0.5, 0.7, 0.3),
-    };
-    let ball = Shape::Sphere { radius: 0.6 };
-    let cylinder = Shape::Cylinder {
-        radius: 0.4,
-        half_length: 0.8,
-    };
-    let hopper = Profile::Closed {
-        corners: vec![
-            [0.3, -0.5],
-            [0.8, 0.4],
-            [0.8, 0.9],
-            [0.9, 0.9],
-            [0.9, 0.35],
-            [0.4, -0.5],
-        ],
-    };
-    let plate = Profile::Plate {
-        corners: vec![[0.3, -0.5], [0.8, 0.4], [0.8, 0.9]],
-        thickness: 0.1,
-    };
-    vec![
-        (
-            "half-space",
-            Shape::HalfSpace {
-                point: Vec3::new(0.1, 0.2, 0.3),
-                normal: nalgebra::Unit::new_normalize(Vec3::new(1.0, -2.0, 0.5)),
-            },
-            true,
-        ),
-        ("sphere", ball.clone(), true),
-        ("cylinder", cylinder.clone(), true),
-        (
-            "cone",
-            Shape::Cone {
-                lower_radius: 0.2,
-                upper_radius: 0.8,
-                half_length: 0.5,
-            },
-            true,
-        ),
-        (
-            "pointed cone",
-            Shape::Cone {
-                lower_radius: 0.0,
-                upper_radius: 0.8,
-                half_length: 0.5,
-            },
-            true,
-        ),
-        ("box", cuboid.clone(), true),
-        (
-            "revolution, closed",
-            Shape::Revolution { profile: hopper },
-            true,
-        ),
-        (
-            "revolution, plate",
-            Shape::Revolution { profile: plate },
-            true,
-        ),
-        (
-            "union",
-            Shape::Union {
-                of: vec![ball.clone().translated(Vec3::x()), cuboid.clone()],
-            },
-            true,
-        ),
-        (
-            "intersection",
-            Shape::Intersection {
-                of: vec![ball.clone(), cuboid.clone()],
-            },
-            false,
-        ),
-        (
-            "difference",
-            Shape::Difference {
-                of: Box::new(cuboid.clone()),
-                minus: Box::new(ball),
-            },
-            false,
-        ),
-        (
-            "translated",
-            cylinder.clone().translated(Vec3::new(0.2, -0.3, 0.1)),
-            true,
-        ),
-        ("rotated", cuboid.rotated(turn), true),
-        (
-            "rotated and translated",
-            cylinder.rotated(turn).translated(Vec3::y()),
-            true,
-        ),
-    ]
-}
+use registry::registry;
 
 /// Points spread evenly and without a pattern over [−2, 2]³ (additive recurrence).
 fn points(count: usize) -> impl Iterator<Item = Vec3> {
@@ -222,7 +124,7 @@ fn mean_curvature_is_half_the_divergence_of_the_normal_at_the_surface() {
                         / (2.0 * step)
                 })
                 .sum();
-            let here = shape.surface(on_surface).mean_curvature;
+            let here = shape.surface(on_surface).mean_curvature();
             // A level set 10 µm above a surface of curvature κ = 2 H bends less by the share κ · 10 µm.
             assert!(
                 (divergence / 2.0 - here).abs() < 1.0e-3 + 3.0e-5 * here * here,
@@ -242,9 +144,94 @@ fn a_hollow_surface_has_negative_curvature() {
     };
     let inside = pipe.surface(Vec3::new(0.2, 0.0, 0.0));
     assert!((inside.distance - 0.1).abs() < 1.0e-15);
-    assert!((inside.mean_curvature + 0.5 / 0.3).abs() < 1.0e-12);
+    assert!((inside.mean_curvature() + 0.5 / 0.3).abs() < 1.0e-12);
     let outside = pipe.surface(Vec3::new(0.5, 0.0, 0.0));
-    assert!((outside.mean_curvature - 0.5 / 0.4).abs() < 1.0e-12);
+    assert!((outside.mean_curvature() - 0.5 / 0.4).abs() < 1.0e-12);
+}
+
+#[test]
+fn a_torus_is_curved_as_a_saddle_at_its_hole() {
+    let torus = Shape::Torus {
+        ring_radius: 0.7,
+        tube_radius: 0.3,
+    };
+    let inside = torus.surface(Vec3::new(0.0, 0.1, 0.0));
+    // Along the tube's section 1/0.3, around the hole −1/0.4.
+    let expected = f64::midpoint(1.0 / 0.3, -1.0 / 0.4);
+    assert!((inside.distance - 0.3).abs() < 1.0e-15);
+    assert!((inside.mean_curvature() - expected).abs() < 1.0e-12);
+    let outside = torus.surface(Vec3::new(0.0, 2.0, 0.0));
+    let expected = f64::midpoint(1.0 / 0.3, 1.0);
+    assert!((outside.mean_curvature() - expected).abs() < 1.0e-12);
+}
+
+#[test]
+fn a_capsule_is_a_ball_at_its_tip_and_a_cylinder_beside() {
+    let capsule = Shape::Capsule {
+        radius: 0.4,
+        half_length: 0.6,
+    };
+    let tip = capsule.surface(Vec3::new(0.0, 0.0, 1.5));
+    assert!((tip.distance - 0.5).abs() < 1.0e-15);
+    assert!((tip.mean_curvature() - 1.0 / 0.4).abs() < 1.0e-12);
+    let side = capsule.surface(Vec3::new(1.0, 0.0, 0.5));
+    assert!((side.distance - 0.6).abs() < 1.0e-15);
+    assert!((side.mean_curvature() - 0.5 / 0.4).abs() < 1.0e-12);
+}
+
+#[test]
+fn a_grown_shape_is_curved_as_the_larger_shape_it_is() {
+    let grown = |of: Shape| {
+        let by = 0.25;
+        Shape::Offset {
+            by,
+            of: Box::new(of),
+        }
+        .surface(Vec3::new(1.5, 0.2, 0.1))
+        .mean_curvature()
+    };
+    let cylinder = Shape::Cylinder {
+        radius: 0.5,
+        half_length: 1.0,
+    };
+    let plane = Shape::HalfSpace {
+        point: Vec3::zeros(),
+        normal: Vec3::x_axis(),
+    };
+    // Of radius 0.75; one rounding each.
+    assert!((grown(Shape::Sphere { radius: 0.5 }) - 1.0 / 0.75).abs() < 1.0e-15);
+    assert!((grown(cylinder) - 0.5 / 0.75).abs() < 1.0e-15);
+    assert_eq!(grown(plane), 0.0);
+    // The edge of a box becomes a quarter of a cylinder, its corner an eighth of a ball.
+    let edge = Shape::Cuboid {
+        half_sides: Vec3::new(0.5, 0.1, 1.0),
+    };
+    assert_eq!(grown(edge), 2.0);
+    let corner = Shape::Cuboid {
+        half_sides: Vec3::new(0.5, 0.1, 0.05),
+    };
+    assert_eq!(grown(corner), 4.0);
+}
+
+#[test]
+fn a_mirror_turns_what_is_left_to_the_right() {
+    let capsule = Shape::Capsule {
+        radius: 0.1,
+        half_length: 0.5,
+    };
+    let tilted = capsule.rotated(UnitQuaternion::from_euler_angles(0.0, 0.6, 0.0));
+    let mirrored = Shape::Mirrored {
+        point: Vec3::new(0.3, 0.0, 0.0),
+        normal: Vec3::x_axis(),
+        of: Box::new(tilted.clone()),
+    };
+    for point in points(200) {
+        let image = Vec3::new(0.6 - point.x, point.y, point.z);
+        let (here, there) = (tilted.surface(point), mirrored.surface(image));
+        // Rounding of the way to the plane and back.
+        assert!((here.distance - there.distance).abs() < 1.0e-14);
+        assert!((here.normal.x + there.normal.x).abs() < 1.0e-14);
+    }
 }
 
 #[test]
@@ -262,6 +249,31 @@ fn impossible_shapes_are_refused() {
         },
         Shape::Cuboid {
             half_sides: Vec3::new(1.0, -1.0, 1.0),
+        },
+        Shape::Torus {
+            ring_radius: 0.3,
+            tube_radius: 0.3,
+        },
+        Shape::Torus {
+            ring_radius: 0.3,
+            tube_radius: 0.0,
+        },
+        Shape::Capsule {
+            radius: 0.1,
+            half_length: 0.0,
+        },
+        Shape::Scaled {
+            by: -1.0,
+            of: Box::new(Shape::Sphere { radius: 1.0 }),
+        },
+        Shape::Offset {
+            by: 0.0,
+            of: Box::new(Shape::Sphere { radius: 1.0 }),
+        },
+        Shape::Mirrored {
+            point: Vec3::zeros(),
+            normal: Vec3::x_axis(),
+            of: Box::new(Shape::Sphere { radius: 0.0 }),
         },
         Shape::Union { of: vec![] },
         Shape::Revolution {

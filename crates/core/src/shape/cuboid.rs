@@ -19,9 +19,17 @@ pub(super) fn surface(half_sides: Vec3, point: Vec3) -> Surface {
         normal[axis] = sign[axis];
         (beyond[axis], normal)
     };
+    // Two sides exceeded are an edge, three a corner, which is sharp every way.
+    let sharp = |least: usize| {
+        if beyond.iter().filter(|&&length| length > 0.0).count() >= least {
+            f64::INFINITY
+        } else {
+            0.0
+        }
+    };
     Surface {
         distance,
         normal,
-        mean_curvature: 0.0,
+        principal_curvatures: [sharp(2), sharp(3)],
     }
 }

@@ -14,8 +14,7 @@ pub(super) fn surface(radius: f64, half_length: f64, point: Vec3) -> Surface {
             HalfPlaneSurface {
                 distance,
                 normal: [beyond_side / distance, end_sign * beyond_end / distance],
-                is_edge: true,
-                meridian_curvature: 0.0,
+                meridian_curvature: f64::INFINITY,
             }
         } else if beyond_side > beyond_end {
             HalfPlaneSurface::flat(beyond_side, [1.0, 0.0])

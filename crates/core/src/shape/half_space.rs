@@ -8,7 +8,7 @@ pub(super) fn surface(on_plane: Vec3, normal: UnitVector3<f64>, point: Vec3) -> 
     Surface {
         distance: (point - on_plane).dot(&normal),
         normal: normal.into_inner(),
-        mean_curvature: 0.0,
+        principal_curvatures: [0.0; 2],
     }
 }
 

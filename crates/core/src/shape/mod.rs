@@ -1,18 +1,23 @@
 //! Shapes as signed distances: negative inside, unit gradient (the paper's equations 1–5).
 //!
-//! To add one: write its file with a `surface` and a `bounds` function, then add its variant
-//! to [`Shape`] and its arm to the two matches below; the contract tests then loop over it.
+//! To add one: write its file with a `surface` function, then add its variant to [`Shape`], its arm to the two
+//! matches below and to the one in `validation.rs`, and its row to `contract/registry.rs`; the contract tests then loop over it.
 
+mod capsule;
 mod combination;
 mod cone;
 mod cuboid;
 mod cylinder;
 mod half_space;
+mod offset;
 mod placement;
 mod revolution;
 mod sphere;
+mod torus;
+mod validation;
 
 pub use revolution::Profile;
+pub use validation::ShapeError;
 
 use crate::{Bounds, Vec3};
 use nalgebra::{UnitQuaternion, UnitVector3};
@@ -49,6 +54,20 @@ pub enum Shape {
         /// Radius at the upper end, z = +`half_length` [m].
         upper_radius: f64,
         /// Half of the length along z [m].
+        half_length: f64,
+    },
+    /// A ring about the z axis, round in its cross-section, centered at the origin.
+    Torus {
+        /// Radius of the circle along the middle of the tube [m].
+        ring_radius: f64,
+        /// Radius of the tube, less than that of the ring [m].
+        tube_radius: f64,
+    },
+    /// A cylinder about the z axis with balls for ends, centered at the origin.
+    Capsule {
+        /// Radius of the cylinder and of its ends [m].
+        radius: f64,
+        /// Half of the length along z between the centers of the ends [m].
         half_length: f64,
     },
     /// A box about the origin, aligned with the axes.
@@ -92,6 +111,29 @@ pub enum Shape {
         /// What is turned.
         of: Box<Shape>,
     },
+    /// A shape seen in a plane mirror.
+    Mirrored {
+        /// A point of the plane [m].
+        point: Vec3,
+        /// Direction across the plane [-].
+        normal: UnitVector3<f64>,
+        /// What is mirrored.
+        of: Box<Shape>,
+    },
+    /// A shape made larger or smaller about the origin, alike in all directions.
+    Scaled {
+        /// The factor of all lengths [-].
+        by: f64,
+        /// What is scaled.
+        of: Box<Shape>,
+    },
+    /// A shape and everything within a length of it; its edges become round.
+    Offset {
+        /// That length [m].
+        by: f64,
+        /// What is grown.
+        of: Box<Shape>,
+    },
 }
 
 /// What a shape says of a point.
@@ -101,59 +143,18 @@ pub struct Surface {
     pub distance: f64,
     /// Unit gradient of the distance: the way out of the solid [-].
     pub normal: Vec3,
-    /// Mean curvature of the surface at its point nearest to the query, positive where the solid
-    /// bulges and negative where it is hollow [1/m]. A sharp edge counts as flat: its true radius is unknown.
-    pub mean_curvature: f64,
+    /// Principal curvatures of the surface at its point nearest to the query, positive where the solid
+    /// bulges, negative where it is hollow, and infinite across a sharp edge [1/m].
+    pub principal_curvatures: [f64; 2],
 }
 
-/// A shape that cannot be.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum ShapeError {
-    /// A length that must be positive is not.
-    #[error("{what} is {value} m; expected more than 0")]
-    NotPositive {
-        /// Which length.
-        what: &'static str,
-        /// Its value [m].
-        value: f64,
-    },
-    /// A profile with too few corners.
-    #[error("the profile has {count} corners; expected at least {least}")]
-    TooFewCorners {
-        /// How many there are [-].
-        count: usize,
-        /// How many are needed [-].
-        least: usize,
-    },
-    /// A profile that crosses the axis.
-    #[error("corner {index} of the profile has radius {radius} m; expected 0 or more")]
-    NegativeRadius {
-        /// Which corner, counted from 0 [-].
-        index: usize,
-        /// Its radius [m].
-        radius: f64,
-    },
-    /// A closed profile whose sides cross each other.
-    #[error("sides {first} and {second} of the profile cross; list the corners in order around it")]
-    CrossingSides {
-        /// One side, counted from 0 [-].
-        first: usize,
-        /// The other side [-].
-        second: usize,
-    },
-    /// A value that is not a number or not finite.
-    #[error("{what} is not finite")]
-    NotFinite {
-        /// Which value.
-        what: &'static str,
-    },
-    /// A combination of nothing.
-    #[error("a {what} needs at least one part")]
-    NoParts {
-        /// Which combination.
-        what: &'static str,
-    },
+impl Surface {
+    /// Mean curvature at the nearest point [1/m]. A sharp edge counts as flat: its true radius is unknown.
+    pub fn mean_curvature(&self) -> f64 {
+        let [first, second] = self.principal_curvatures;
+        let mean = f64::midpoint(first, second);
+        if mean.is_finite() { mean } else { 0.0 }
+    }
 }
 
 impl Shape {
@@ -174,6 +175,14 @@ impl Shape {
                 upper_radius,
                 half_length,
             } => cone::surface(*lower_radius, *upper_radius, *half_length, point),
+            Self::Torus {
+                ring_radius,
+                tube_radius,
+            } => torus::surface(*ring_radius, *tube_radius, point),
+            Self::Capsule {
+                radius,
+                half_length,
+            } => capsule::surface(*radius, *half_length, point),
             Self::Cuboid { half_sides } => cuboid::surface(*half_sides, point),
             Self::Revolution { profile } => revolution::surface(profile, point),
             Self::Union { of } => combination::union(of, point),
@@ -181,6 +190,13 @@ impl Shape {
             Self::Difference { of, minus } => combination::difference(of, minus, point),
             Self::Translated { by, of } => placement::translated(*by, of, point),
             Self::Rotated { by, of } => placement::rotated(*by, of, point),
+            Self::Mirrored {
+                point: on_plane,
+                normal,
+                of,
+            } => placement::mirrored(*on_plane, *normal, of, point),
+            Self::Scaled { by, of } => placement::scaled(*by, of, point),
+            Self::Offset { by, of } => offset::surface(*by, of, point),
         }
     }
 
@@ -191,7 +207,20 @@ impl Shape {
 
     /// A box that holds the whole solid [m].
     pub fn bounds(&self) -> Bounds {
-        match self {
+        self.bounds_within(0.0)
+    }
+
+    /// A box that holds every point whose distance is at most this [m].
+    ///
+    /// Beside an edge where the distance falls short of the true one, that is more than the solid's box grown.
+    fn bounds_within(&self, distance: f64) -> Bounds {
+        let all = |of: &[Self], together: fn(&Bounds, &Bounds) -> Bounds| {
+            of.iter()
+                .map(|part| part.bounds_within(distance))
+                .reduce(|a, b| together(&a, &b))
+                .unwrap_or_else(Bounds::nothing)
+        };
+        let solid = match self {
             Self::HalfSpace { point, normal } => half_space::bounds(*point, *normal),
             Self::Sphere { radius } => Bounds::about_origin(Vec3::repeat(*radius)),
             Self::Cylinder {
@@ -206,65 +235,31 @@ impl Shape {
                 let radius = lower_radius.max(*upper_radius);
                 Bounds::about_origin(Vec3::new(radius, radius, *half_length))
             }
-            Self::Cuboid { half_sides } => Bounds::about_origin(*half_sides),
-            Self::Revolution { profile } => profile.bounds(),
-            Self::Union { of } => of
-                .iter()
-                .map(Self::bounds)
-                .reduce(|a, b| a.merged(&b))
-                .unwrap_or_else(Bounds::nothing),
-            Self::Intersection { of } => of
-                .iter()
-                .map(Self::bounds)
-                .reduce(|a, b| a.common(&b))
-                .unwrap_or_else(Bounds::nothing),
-            Self::Difference { of, .. } => of.bounds(),
-            Self::Translated { by, of } => {
-                let bounds = of.bounds();
-                Bounds {
-                    min: bounds.min + by,
-                    max: bounds.max + by,
-                }
+            Self::Torus {
+                ring_radius,
+                tube_radius,
+            } => {
+                let radius = ring_radius + tube_radius;
+                Bounds::about_origin(Vec3::new(radius, radius, *tube_radius))
             }
-            Self::Rotated { by, of } => of.bounds().rotated(by),
-        }
-    }
-
-    /// Checks every length and every part.
-    ///
-    /// # Errors
-    /// The first thing found that makes the shape impossible.
-    pub fn validate(&self) -> Result<(), ShapeError> {
-        match self {
-            Self::HalfSpace { point, .. } => finite("point of the half-space", *point),
-            Self::Sphere { radius } => positive("radius of the sphere", *radius),
-            Self::Cylinder {
+            Self::Capsule {
                 radius,
                 half_length,
-            } => {
-                positive("radius of the cylinder", *radius)?;
-                positive("half length of the cylinder", *half_length)
+            } => Bounds::about_origin(Vec3::new(*radius, *radius, half_length + radius)),
+            Self::Cuboid { half_sides } => Bounds::about_origin(*half_sides),
+            Self::Revolution { profile } => profile.bounds(),
+            Self::Union { of } => return all(of, Bounds::merged),
+            Self::Intersection { of } => return all(of, Bounds::common),
+            Self::Difference { of, .. } => return of.bounds_within(distance),
+            Self::Translated { by, of } => return of.bounds_within(distance).translated(*by),
+            Self::Rotated { by, of } => return of.bounds_within(distance).rotated(by),
+            Self::Mirrored { point, normal, of } => {
+                return of.bounds_within(distance).mirrored(*point, *normal);
             }
-            Self::Cone {
-                lower_radius,
-                upper_radius,
-                half_length,
-            } => {
-                positive("half length of the cone", *half_length)?;
-                positive("larger radius of the cone", lower_radius.max(*upper_radius))?;
-                not_negative("lower radius of the cone", *lower_radius)?;
-                not_negative("upper radius of the cone", *upper_radius)
-            }
-            Self::Cuboid { half_sides } => half_sides
-                .iter()
-                .try_for_each(|half_side| positive("half side of the box", *half_side)),
-            Self::Revolution { profile } => profile.validate(),
-            Self::Union { of } => parts("union", of),
-            Self::Intersection { of } => parts("intersection", of),
-            Self::Difference { of, minus } => of.validate().and_then(|()| minus.validate()),
-            Self::Translated { by, of } => finite("translation", *by).and_then(|()| of.validate()),
-            Self::Rotated { of, .. } => of.validate(),
-        }
+            Self::Scaled { by, of } => return of.bounds_within(distance / by).scaled(*by),
+            Self::Offset { by, of } => return of.bounds_within(distance + by),
+        };
+        solid.grown(distance)
     }
 
     /// The shape moved by a vector [m].
@@ -284,40 +279,6 @@ impl Shape {
             of: Box::new(self),
         }
     }
-}
-
-fn positive(what: &'static str, value: f64) -> Result<(), ShapeError> {
-    if !value.is_finite() {
-        return Err(ShapeError::NotFinite { what });
-    }
-    if value > 0.0 {
-        Ok(())
-    } else {
-        Err(ShapeError::NotPositive { what, value })
-    }
-}
-
-fn not_negative(what: &'static str, value: f64) -> Result<(), ShapeError> {
-    if value >= 0.0 {
-        Ok(())
-    } else {
-        Err(ShapeError::NotPositive { what, value })
-    }
-}
-
-fn finite(what: &'static str, vector: Vec3) -> Result<(), ShapeError> {
-    if vector.iter().all(|value| value.is_finite()) {
-        Ok(())
-    } else {
-        Err(ShapeError::NotFinite { what })
-    }
-}
-
-fn parts(what: &'static str, of: &[Shape]) -> Result<(), ShapeError> {
-    if of.is_empty() {
-        return Err(ShapeError::NoParts { what });
-    }
-    of.iter().try_for_each(Shape::validate)
 }
 
 #[cfg(test)]

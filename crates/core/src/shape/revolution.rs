@@ -54,7 +54,7 @@ impl Profile {
         }
         match self {
             Self::Plate { thickness, .. } => {
-                super::positive("thickness of the profile", *thickness)
+                super::validation::positive("thickness of the profile", *thickness)
             }
             Self::Closed { corners } => no_crossing(corners),
         }
@@ -94,10 +94,8 @@ pub(super) struct HalfPlaneSurface {
     pub(super) distance: f64,
     /// Way out of the solid, as `[radial, axial]`.
     pub(super) normal: [f64; 2],
-    /// Curvature of the profile line at the nearest point, positive where it bulges [1/m].
+    /// Curvature of the profile line at the nearest point, positive where it bulges, infinite at a sharp corner [1/m].
     pub(super) meridian_curvature: f64,
-    /// Whether the nearest point is a sharp corner, which counts as flat.
-    pub(super) is_edge: bool,
 }
 
 impl HalfPlaneSurface {
@@ -106,7 +104,6 @@ impl HalfPlaneSurface {
             distance,
             normal,
             meridian_curvature: 0.0,
-            is_edge: false,
         }
     }
 }
@@ -128,16 +125,13 @@ pub(super) fn turned(
     let turn_curvature = if surface_radius > 0.0 {
         radial / surface_radius
     } else {
-        0.0
+        // On the axis every way along the surface is a meridian.
+        flat.meridian_curvature
     };
     Surface {
         distance: flat.distance,
         normal: Vec3::new(radial * cos, radial * sin, axial),
-        mean_curvature: if flat.is_edge {
-            0.0
-        } else {
-            f64::midpoint(flat.meridian_curvature, turn_curvature)
-        },
+        principal_curvatures: [flat.meridian_curvature, turn_curvature],
     }
 }
 
@@ -167,7 +161,7 @@ fn nearest_on_side(start: [f64; 2], end: [f64; 2], r: f64, z: f64) -> Nearest {
         offset,
         squared: offset[0] * offset[0] + offset[1] * offset[1],
         side,
-        is_corner: along <= 0.0 || along >= 1.0,
+        is_corner: !(0.0..=1.0).contains(&along),
     }
 }
 
@@ -213,8 +207,11 @@ pub(super) fn polygon_surface(corners: &[[f64; 2]], r: f64, z: f64) -> HalfPlane
     HalfPlaneSurface {
         distance: sign * length,
         normal,
-        meridian_curvature: 0.0,
-        is_edge: nearest.is_corner && !is_inside,
+        meridian_curvature: if nearest.is_corner {
+            sign * f64::INFINITY
+        } else {
+            0.0
+        },
     }
 }
 
@@ -249,7 +246,6 @@ fn plate_surface(corners: &[[f64; 2]], half_thickness: f64, r: f64, z: f64) -> H
         } else {
             0.0
         },
-        is_edge: false,
     }
 }
 

@@ -14,6 +14,6 @@ pub(super) fn surface(radius: f64, point: Vec3) -> Surface {
     Surface {
         distance: from_center - radius,
         normal,
-        mean_curvature: 1.0 / radius,
+        principal_curvatures: [1.0 / radius; 2],
     }
 }

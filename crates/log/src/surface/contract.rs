@@ -17,27 +17,85 @@ fn cylinder(radius: f64, half_length: f64) -> Shape {
     }
 }
 
-/// Shapes with their volumes [m³].
-fn registry() -> Vec<(&'static str, Shape, f64)> {
-    let cuboid = Shape::Cuboid {
+fn cuboid() -> Shape {
+    Shape::Cuboid {
         half_sides: Vec3::new(0.3, 0.4, 0.5),
-    };
+    }
+}
+
+fn cone() -> Shape {
+    Shape::Cone {
+        lower_radius: 0.2,
+        upper_radius: 0.8,
+        half_length: 0.5,
+    }
+}
+
+/// A name, a shape and its volume [m³].
+type Row = (&'static str, Shape, f64);
+
+fn registry() -> Vec<Row> {
+    [built(), changed()].concat()
+}
+
+/// Shapes changed as a whole.
+fn changed() -> Vec<Row> {
+    vec![
+        (
+            "mirrored cone",
+            Shape::Mirrored {
+                point: Vec3::new(0.2, 0.0, 0.0),
+                normal: UnitVector3::new_normalize(Vec3::new(1.0, 2.0, 0.5)),
+                of: Box::new(cone()),
+            },
+            PI / 3.0 * (0.04 + 0.16 + 0.64),
+        ),
+        (
+            "scaled cone",
+            Shape::Scaled {
+                by: 0.5,
+                of: Box::new(cone()),
+            },
+            PI / 24.0 * (0.04 + 0.16 + 0.64),
+        ),
+        (
+            "grown box",
+            Shape::Offset {
+                by: 0.2,
+                of: Box::new(cuboid()),
+            },
+            // Steiner's formula: body, faces, quarters of cylinders along the edges, and a ball.
+            0.48 + 0.2 * 3.76 + PI * 0.04 / 4.0 * 9.6 + 4.0 / 3.0 * PI * 0.008,
+        ),
+    ]
+}
+
+/// Primitives, placed and put together.
+fn built() -> Vec<Row> {
     let half_space = Shape::HalfSpace {
         point: Vec3::zeros(),
         normal: Vec3::z_axis(),
     };
     vec![
-        ("box", cuboid.clone(), 0.48),
+        ("box", cuboid(), 0.48),
         ("sphere", Shape::Sphere { radius: 0.5 }, PI / 6.0),
         ("cylinder", cylinder(0.5, 1.0), 0.5 * PI),
+        ("cone", cone(), PI / 3.0 * (0.04 + 0.16 + 0.64)),
         (
-            "cone",
-            Shape::Cone {
-                lower_radius: 0.2,
-                upper_radius: 0.8,
+            "torus",
+            Shape::Torus {
+                ring_radius: 0.7,
+                tube_radius: 0.2,
+            },
+            2.0 * PI * PI * 0.7 * 0.04,
+        ),
+        (
+            "capsule",
+            Shape::Capsule {
+                radius: 0.3,
                 half_length: 0.5,
             },
-            PI / 3.0 * (0.04 + 0.16 + 0.64),
+            PI * 0.09 * (1.0 + 0.4),
         ),
         (
             "ring with clockwise corners",
@@ -60,8 +118,7 @@ fn registry() -> Vec<(&'static str, Shape, f64)> {
         ),
         (
             "moved and turned box",
-            cuboid
-                .clone()
+            cuboid()
                 .rotated(UnitQuaternion::from_euler_angles(0.3, -0.8, 1.1))
                 .translated(Vec3::new(0.4, 0.2, -0.3)),
             0.48,

@@ -44,7 +44,7 @@ impl Mesh {
             })
     }
 
-    /// Every point moved by a rigid motion.
+    /// Every point taken to another place.
     #[must_use]
     pub(super) fn mapped(mut self, motion: impl Fn(Vec3) -> Vec3) -> Self {
         for point in self.triangles.iter_mut().flatten() {

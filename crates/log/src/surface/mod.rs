@@ -3,9 +3,11 @@
 //! Primitives are swept or listed exactly, up to the chords of a circle.
 //! Combinations keep the triangles of their parts and cut them where the other part's distance is zero,
 //! so that a thin plate stays whole and an edge stays sharp at any size.
+//! Surfaces parallel to another are found on a grid.
 
 mod cuboid;
 mod cut;
+mod level;
 mod mesh;
 mod plane;
 mod turned;
@@ -13,7 +15,7 @@ mod turned;
 pub use mesh::Mesh;
 
 use pelletflow_core::shape::Profile;
-use pelletflow_core::{Bounds, Shape};
+use pelletflow_core::{Bounds, Shape, Vec3};
 
 impl Mesh {
     /// The surface of a shape; one without end is shown as far as `bounds` reach [m].
@@ -30,6 +32,14 @@ impl Mesh {
                 upper_radius,
                 half_length,
             } => turned::mesh(&turned::frustum(*lower_radius, *upper_radius, *half_length)),
+            Shape::Torus {
+                ring_radius,
+                tube_radius,
+            } => turned::mesh(&turned::circle(*ring_radius, *tube_radius)),
+            Shape::Capsule {
+                radius,
+                half_length,
+            } => turned::mesh(&turned::stadium(*radius, *half_length)),
             Shape::Cuboid { half_sides } => cuboid::mesh(&Bounds {
                 min: -half_sides,
                 max: *half_sides,
@@ -55,6 +65,16 @@ impl Mesh {
             Shape::Rotated { by, of } => {
                 Self::of(of, &bounds.rotated(&by.inverse())).mapped(|point| by * point)
             }
+            Shape::Mirrored { point, normal, of } => {
+                let across = |at: Vec3| at - 2.0 * (at - point).dot(normal) * normal.into_inner();
+                Self::of(of, &bounds.mirrored(*point, *normal))
+                    .mapped(across)
+                    .inside_out()
+            }
+            Shape::Scaled { by, of } => {
+                Self::of(of, &bounds.scaled(1.0 / by)).mapped(|point| point * *by)
+            }
+            Shape::Offset { by, of } => level::mesh(of, *by, &shape.bounds().common(bounds)),
             // A shape that has no triangles of its own yet is shown by its box rather than not at all.
             other => cuboid::mesh(&other.bounds().common(bounds)),
         }

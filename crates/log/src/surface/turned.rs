@@ -24,6 +24,25 @@ pub(super) fn half_circle(radius: f64) -> Vec<[f64; 2]> {
         .collect()
 }
 
+/// Profile of a torus.
+pub(super) fn circle(ring_radius: f64, tube_radius: f64) -> Vec<[f64; 2]> {
+    (0..SIDES)
+        .map(|side| {
+            let (sin, cos) = (TAU * side as f64 / SIDES as f64).sin_cos();
+            [ring_radius + tube_radius * cos, tube_radius * sin]
+        })
+        .collect()
+}
+
+/// Profile of a capsule: the two halves of a ball's, pulled apart.
+pub(super) fn stadium(radius: f64, half_length: f64) -> Vec<[f64; 2]> {
+    let ball = half_circle(radius);
+    let middle = ball.len() / 2;
+    let lower = ball[..=middle].iter().map(|&[r, z]| [r, z - half_length]);
+    let upper = ball[middle..].iter().map(|&[r, z]| [r, z + half_length]);
+    lower.chain(upper).collect()
+}
+
 /// Profile of a cylinder or cone.
 pub(super) fn frustum(lower_radius: f64, upper_radius: f64, half_length: f64) -> Vec<[f64; 2]> {
     vec![

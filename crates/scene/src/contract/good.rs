@@ -104,6 +104,16 @@ fn shapes_stand_where_they_are_put() {
             [0.0, 0.0, -1.0],
         ),
         (
+            "{ kind = \"torus\", center = [1, 0, 0], axis = [1, 0, 0], ring_radius = 0.5, tube_radius = 0.2 }",
+            [1.2, 0.0, 0.5],
+            [1.0, 0.0, 0.0],
+        ),
+        (
+            "{ kind = \"capsule\", base = [0, 0, 1], axis = [0, -1, 0], radius = 0.5, height = 2 }",
+            [0.0, -2.5, 1.0],
+            [0.0, -1.0, 0.0],
+        ),
+        (
             "{ kind = \"box\", min = [0, 0, 0], max = [1, 2, 3] }",
             [0.5, 2.0, 1.5],
             [0.0, 1.0, 0.0],
@@ -142,6 +152,21 @@ fn shapes_stand_where_they_are_put() {
             "{ kind = \"difference\", of = { kind = \"sphere\", center = [0, 0, 0], radius = 1 }, minus = { kind = \"sphere\", center = [0, 0, 0], radius = 0.5 } }",
             [0.0, 0.5, 0.0],
             [0.0, -1.0, 0.0],
+        ),
+        (
+            "{ kind = \"mirror\", point = [2, 0, 0], normal = [3, 0, 0], of = { kind = \"sphere\", center = [0, 1, 0], radius = 1 } }",
+            [5.0, 1.0, 0.0],
+            [1.0, 0.0, 0.0],
+        ),
+        (
+            "{ kind = \"scale\", factor = 2, about = [0, 0, 1], of = { kind = \"sphere\", center = [0, 0, 2], radius = 1 } }",
+            [0.0, 0.0, 5.0],
+            [0.0, 0.0, 1.0],
+        ),
+        (
+            "{ kind = \"offset\", by = \"100 mm\", of = { kind = \"box\", min = [0, 0, 0], max = [1, 2, 3] } }",
+            [1.06, 2.08, 1.0],
+            [0.6, 0.8, 0.0],
         ),
         (
             "{ kind = \"sphere\", center = [1, 0, 0], radius = 0.5, rotate = { axis = [0, 0, 1], angle = \"90 deg\", about = [2, 0, 0] }, translate = [0, 0, 1] }",
@@ -327,7 +352,7 @@ fn the_schema_is_draft_7_and_refuses_unknown_keys_everywhere() {
         }
         assert_ne!(object["type"], "null");
     });
-    // Ten kinds of shape, four of motion, two meters, and some twenty tables.
+    // Fifteen kinds of shape, four of motion, two meters, and some twenty tables.
     assert!(tables > 30, "{tables}");
 }
 

@@ -4,6 +4,9 @@ use super::{GOOD, draft, draft_with, line_of, spoiled};
 use crate::{Place, Scene, SceneError};
 use std::path::Path;
 
+/// The shape of the wall of the good scene.
+const WALL: &str = "{ kind = \"half-space\", point = [0, 0, 0], normal = [0, 0, 2] }";
+
 /// What of the good scene is replaced, by what, and a part of the message.
 #[rustfmt::skip]
 const CASES: &[(&str, &str, &str)] = &[
@@ -31,9 +34,15 @@ const CASES: &[(&str, &str, &str)] = &[
     ("material = \"pellet\"", "material = \"pelet\"", "unknown material `pelet`; did you mean `pellet`?"),
     ("outlet = \"out\"", "outlet = \"bin\"", "unknown outlet `bin`; expected `out`"),
     ("kind = \"mass-flow\"", "kind = \"mass_flow\"", "unknown kind `mass_flow`; did you mean `mass-flow`?"),
-    ("shape = { kind = \"half-space\",", "shape = { kind = \"torus\",", "unknown kind `torus`; expected `half-space`, `sphere`"),
+    ("shape = { kind = \"half-space\",", "shape = { kind = \"pyramid\",", "unknown kind `pyramid`; expected `half-space`, `sphere`"),
     ("normal = [0, 0, 2] }", "normal = [0, 0, 0] }", "`normal` is a zero vector"),
     ("normal = [0, 0, 2] }", "normal = [0, 0] }", "`normal` has 2 values; expected a list of 3 values"),
+    (WALL, "{ kind = \"torus\", center = [0, 0, 0], ring_radius = 0.2, tube_radius = 0.3 }", "`tube_radius` is 0.3 m and `ring_radius` 0.2 m; expected `tube_radius` below `ring_radius`"),
+    (WALL, "{ kind = \"capsule\", base = [0, 0, 0], radius = 0, height = 1 }", "`radius` is 0; expected more than 0 m"),
+    (WALL, "{ kind = \"mirror\", point = [0, 0, 0], normal = [0, 0, 0], of = { kind = \"sphere\", center = [0, 0, 0], radius = 1 } }", "`normal` is a zero vector; expected a direction"),
+    (WALL, "{ kind = \"scale\", factor = 0, of = { kind = \"sphere\", center = [0, 0, 0], radius = 1 } }", "`factor` is 0; expected more than 0 and at most"),
+    (WALL, "{ kind = \"offset\", by = \"-1 mm\", of = { kind = \"sphere\", center = [0, 0, 0], radius = 1 } }", "`by` is \"-1 mm\"; expected more than 0 m"),
+    (WALL, "{ kind = \"offset\", by = 1, of = { kind = \"torus\", center = [0, 0, 0], ring_radius = 1, tube_radius = 1 } }", "`tube_radius` is 1 m and `ring_radius` 1 m"),
     ("count = 10", "count = 0", "`count` is 0; expected at least 1"),
     ("count = 10", "count = 10.5", "`count` is 10.5; expected a whole number"),
     ("count = 10", "count = 10\nmass = 1", "`count` and `mass` are both given; keep one"),

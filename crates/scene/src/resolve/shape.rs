@@ -2,7 +2,7 @@
 
 use super::{Resolver, point, sides};
 use crate::key_path::KeyPath;
-use crate::quantity::{Coordinate, Size};
+use crate::quantity::{Angle, Coordinate, Size};
 use crate::spec::shape::{RotateSpec, ShapeSpec, SolidSpec};
 use pelletflow_core::shape::Profile;
 use pelletflow_core::{Shape, UnitQuaternion, UnitVector3, Vec3};
@@ -19,7 +19,45 @@ impl Resolver<'_> {
         }
     }
 
+    /// What is made of other shapes has those checked where they stand.
     fn solid(&mut self, spec: &SolidSpec, path: &KeyPath) -> Shape {
+        match spec {
+            SolidSpec::Union { of } => Shape::Union {
+                of: self.parts(of, path),
+            },
+            SolidSpec::Intersection { of } => Shape::Intersection {
+                of: self.parts(of, path),
+            },
+            SolidSpec::Difference { of, minus } => Shape::Difference {
+                of: Box::new(self.shape(of, &path.key("of"))),
+                minus: Box::new(self.shape(minus, &path.key("minus"))),
+            },
+            SolidSpec::Mirror {
+                of,
+                point: at,
+                normal,
+            } => Shape::Mirrored {
+                point: point(*at),
+                normal: self.direction(*normal, &path.key("normal")),
+                of: Box::new(self.shape(of, &path.key("of"))),
+            },
+            SolidSpec::Scale { of, factor, about } => {
+                let scaled = Shape::Scaled {
+                    by: *factor,
+                    of: Box::new(self.shape(of, &path.key("of"))),
+                };
+                let about = about.map_or_else(Vec3::zeros, point);
+                moved(scaled, (1.0 - factor) * about)
+            }
+            SolidSpec::Offset { of, by } => Shape::Offset {
+                by: by.0,
+                of: Box::new(self.shape(of, &path.key("of"))),
+            },
+            primitive => self.primitive(primitive, path),
+        }
+    }
+
+    fn primitive(&mut self, spec: &SolidSpec, path: &KeyPath) -> Shape {
         let solid = match spec {
             SolidSpec::HalfSpace { point: at, normal } => Shape::HalfSpace {
                 point: point(*at),
@@ -57,6 +95,29 @@ impl Resolver<'_> {
                 };
                 self.stood(solid, half_length, *axis, point(*base), path)
             }
+            SolidSpec::Torus {
+                center,
+                axis,
+                ring_radius,
+                tube_radius,
+            } => {
+                let solid = self.torus(ring_radius.0, tube_radius.0, path);
+                self.stood(solid, 0.0, *axis, point(*center), path)
+            }
+            SolidSpec::Capsule {
+                base,
+                axis,
+                radius,
+                height,
+            } => {
+                let half_length = height.0 / 2.0;
+                let radius = radius.0;
+                let solid = Shape::Capsule {
+                    radius,
+                    half_length,
+                };
+                self.stood(solid, half_length, *axis, point(*base), path)
+            }
             SolidSpec::Box {
                 min,
                 max,
@@ -68,16 +129,7 @@ impl Resolver<'_> {
                 size,
                 incline,
                 heading,
-            } => {
-                let turn = |axis, angle: Option<crate::quantity::Angle>| {
-                    UnitQuaternion::from_axis_angle(&axis, angle.map_or(0.0, |angle| angle.0))
-                };
-                let half_sides = sides(*size) / 2.0;
-                // The middle of the upper face is what the user places and what the sheet turns about.
-                let sheet = Shape::Cuboid { half_sides }.translated(-half_sides.z * Vec3::z());
-                let tilt = turn(Vec3::z_axis(), *heading) * turn(Vec3::y_axis(), *incline);
-                moved(turned(sheet, tilt), point(*center))
-            }
+            } => plate(point(*center), sides(*size) / 2.0, [*incline, *heading]),
             SolidSpec::Revolution {
                 profile,
                 thickness,
@@ -89,23 +141,16 @@ impl Resolver<'_> {
                     base.map_or_else(Vec3::zeros, point),
                 )
             }
-            SolidSpec::Union { of } => Shape::Union {
-                of: self.parts(of, path),
-            },
-            SolidSpec::Intersection { of } => Shape::Intersection {
-                of: self.parts(of, path),
-            },
-            SolidSpec::Difference { of, minus } => {
-                return Shape::Difference {
-                    of: Box::new(self.shape(of, &path.key("of"))),
-                    minus: Box::new(self.shape(minus, &path.key("minus"))),
-                };
+            SolidSpec::Union { .. }
+            | SolidSpec::Intersection { .. }
+            | SolidSpec::Difference { .. }
+            | SolidSpec::Mirror { .. }
+            | SolidSpec::Scale { .. }
+            | SolidSpec::Offset { .. } => {
+                unreachable!("what is made of other shapes is resolved before")
             }
         };
-        // Parts have been checked where they stand.
-        if !matches!(solid, Shape::Union { .. } | Shape::Intersection { .. })
-            && let Err(error) = solid.validate()
-        {
+        if let Err(error) = solid.validate() {
             self.findings.add(path, error.to_string());
         }
         solid
@@ -137,6 +182,23 @@ impl Resolver<'_> {
             UnitQuaternion::from_axis_angle(&Vec3::x_axis(), std::f64::consts::PI)
         });
         moved(turned(solid, turn), base + half_length * axis.into_inner())
+    }
+
+    fn torus(&mut self, ring_radius: f64, tube_radius: f64, path: &KeyPath) -> Shape {
+        if tube_radius >= ring_radius {
+            self.findings.add(
+                &path.key("tube_radius"),
+                format!(
+                    "`tube_radius` is {tube_radius} m and `ring_radius` {ring_radius} m; expected `tube_radius` below \
+                     `ring_radius`; make the tube thinner or the ring wider"
+                ),
+            );
+            return stand_in();
+        }
+        Shape::Torus {
+            ring_radius,
+            tube_radius,
+        }
     }
 
     fn cuboid(
@@ -180,6 +242,16 @@ impl Resolver<'_> {
         let about = spec.about.map_or_else(Vec3::zeros, point);
         moved(turned(shape, turn), about - turn * about)
     }
+}
+
+/// A sheet placed by the middle of its upper face, about which it turns: down toward +x, then about z.
+fn plate(center: Vec3, half_sides: Vec3, [incline, heading]: [Option<Angle>; 2]) -> Shape {
+    let turn = |axis, angle: Option<Angle>| {
+        UnitQuaternion::from_axis_angle(&axis, angle.map_or(0.0, |angle| angle.0))
+    };
+    let sheet = Shape::Cuboid { half_sides }.translated(-half_sides.z * Vec3::z());
+    let tilt = turn(Vec3::z_axis(), heading) * turn(Vec3::y_axis(), incline);
+    moved(turned(sheet, tilt), center)
 }
 
 fn profile_of(corners: &[[Coordinate; 2]], thickness: Option<Size>) -> Profile {

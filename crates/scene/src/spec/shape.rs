@@ -5,6 +5,9 @@ use schemars::{JsonSchema, Schema};
 use serde::Deserialize;
 use serde_json::Value;
 
+/// Largest factor of a scaling [-]; beyond it a unit was mistaken.
+const LARGEST_FACTOR: f64 = 1.0e6;
+
 /// A solid: its kind, and how it is turned and then moved.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[schemars(transform = spread_over_kinds)]
@@ -62,6 +65,28 @@ pub(crate) enum SolidSpec {
         /// Length along the axis [m].
         height: Size,
     },
+    /// A ring, round in its cross-section.
+    Torus {
+        /// Center [m].
+        center: [Coordinate; 3],
+        /// Direction of the axis of the ring, of any length [-]; z where none is given.
+        axis: Option<[f64; 3]>,
+        /// Radius of the circle along the middle of the tube [m].
+        ring_radius: Size,
+        /// Radius of the tube, less than that of the ring [m].
+        tube_radius: Size,
+    },
+    /// A solid cylinder with balls for ends.
+    Capsule {
+        /// Center of the lower ball [m].
+        base: [Coordinate; 3],
+        /// Direction from the lower ball to the upper, of any length [-]; z where none is given.
+        axis: Option<[f64; 3]>,
+        /// Radius of the cylinder and of the balls [m].
+        radius: Size,
+        /// Length along the axis between the centers of the balls [m].
+        height: Size,
+    },
     /// A box along the axes; give `min` and `max`, or `center` and `size`.
     Box {
         /// Lowest corner [m].
@@ -112,6 +137,32 @@ pub(crate) enum SolidSpec {
         of: Box<ShapeSpec>,
         /// What is taken away.
         minus: Box<ShapeSpec>,
+    },
+    /// A shape seen in a plane mirror.
+    Mirror {
+        /// What is mirrored.
+        of: Box<ShapeSpec>,
+        /// A point of the plane [m].
+        point: [Coordinate; 3],
+        /// Direction across the plane, of any length [-].
+        normal: [f64; 3],
+    },
+    /// A shape made larger or smaller, alike in all directions.
+    Scale {
+        /// What is scaled.
+        of: Box<ShapeSpec>,
+        /// The factor of all lengths [-].
+        #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = LARGEST_FACTOR))]
+        factor: f64,
+        /// The point that stays where it is [m]; the origin where none is given.
+        about: Option<[Coordinate; 3]>,
+    },
+    /// A shape grown outward; its edges become round.
+    Offset {
+        /// What is grown.
+        of: Box<ShapeSpec>,
+        /// By how much [m].
+        by: Size,
     },
 }
 
