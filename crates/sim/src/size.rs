@@ -130,12 +130,12 @@ impl SizeDistribution {
         }
     }
 
-    /// Mean volume of a pellet [m³].
+    /// Mean volume of a pellet \[m³\].
     pub fn mean_volume(&self) -> f64 {
         PI / 6.0 * self.mean_cube()
     }
 
-    /// Mean of the cube of the diameter, by number [m³].
+    /// Mean of the cube of the diameter, by number \[m³\].
     fn mean_cube(&self) -> f64 {
         let (min, max) = (self.min_diameter(), self.max_diameter());
         match self {
