@@ -1,5 +1,6 @@
 //! What every shape promises, held for each row of the table in `registry.rs`.
 
+mod ellipsoid;
 mod registry;
 
 use super::{Profile, Shape, Surface};
@@ -274,6 +275,9 @@ fn impossible_shapes_are_refused() {
             point: Vec3::zeros(),
             normal: Vec3::x_axis(),
             of: Box::new(Shape::Sphere { radius: 0.0 }),
+        },
+        Shape::Ellipsoid {
+            half_axes: Vec3::new(1.0, 0.0, 1.0),
         },
         Shape::Union { of: vec![] },
         Shape::Revolution {

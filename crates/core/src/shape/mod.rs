@@ -8,6 +8,7 @@ mod combination;
 mod cone;
 mod cuboid;
 mod cylinder;
+mod ellipsoid;
 mod half_space;
 mod offset;
 mod placement;
@@ -69,6 +70,11 @@ pub enum Shape {
         radius: f64,
         /// Half of the length along z between the centers of the ends [m].
         half_length: f64,
+    },
+    /// A ball about the origin, stretched along the axes.
+    Ellipsoid {
+        /// Half of each axis [m].
+        half_axes: Vec3,
     },
     /// A box about the origin, aligned with the axes.
     Cuboid {
@@ -183,6 +189,7 @@ impl Shape {
                 radius,
                 half_length,
             } => capsule::surface(*radius, *half_length, point),
+            Self::Ellipsoid { half_axes } => ellipsoid::surface(*half_axes, point),
             Self::Cuboid { half_sides } => cuboid::surface(*half_sides, point),
             Self::Revolution { profile } => revolution::surface(profile, point),
             Self::Union { of } => combination::union(of, point),
@@ -246,6 +253,7 @@ impl Shape {
                 radius,
                 half_length,
             } => Bounds::about_origin(Vec3::new(*radius, *radius, half_length + radius)),
+            Self::Ellipsoid { half_axes } => Bounds::about_origin(*half_axes),
             Self::Cuboid { half_sides } => Bounds::about_origin(*half_sides),
             Self::Revolution { profile } => profile.bounds(),
             Self::Union { of } => return all(of, Bounds::merged),

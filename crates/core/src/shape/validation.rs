@@ -117,6 +117,9 @@ impl Shape {
                 positive("radius of the capsule", *radius)?;
                 positive("half length of the capsule", *half_length)
             }
+            Self::Ellipsoid { half_axes } => half_axes
+                .iter()
+                .try_for_each(|half_axis| positive("half-axis of the ellipsoid", *half_axis)),
             Self::Cuboid { half_sides } => half_sides
                 .iter()
                 .try_for_each(|half_side| positive("half side of the box", *half_side)),

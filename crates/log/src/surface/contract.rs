@@ -98,6 +98,13 @@ fn built() -> Vec<Row> {
             PI * 0.09 * (1.0 + 0.4),
         ),
         (
+            "ellipsoid",
+            Shape::Ellipsoid {
+                half_axes: Vec3::new(0.2, 0.5, 0.3),
+            },
+            4.0 / 3.0 * PI * 0.03,
+        ),
+        (
             "ring with clockwise corners",
             Shape::Revolution {
                 profile: Profile::Closed {

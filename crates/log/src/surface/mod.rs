@@ -40,6 +40,8 @@ impl Mesh {
                 radius,
                 half_length,
             } => turned::mesh(&turned::stadium(*radius, *half_length)),
+            Shape::Ellipsoid { half_axes } => turned::mesh(&turned::half_circle(1.0))
+                .mapped(|point| point.component_mul(half_axes)),
             Shape::Cuboid { half_sides } => cuboid::mesh(&Bounds {
                 min: -half_sides,
                 max: *half_sides,

@@ -118,6 +118,10 @@ impl Resolver<'_> {
                 };
                 self.stood(solid, half_length, *axis, point(*base), path)
             }
+            SolidSpec::Ellipsoid { center, half_axes } => {
+                let half_axes = sides(*half_axes);
+                moved(Shape::Ellipsoid { half_axes }, point(*center))
+            }
             SolidSpec::Box {
                 min,
                 max,

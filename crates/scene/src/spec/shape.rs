@@ -87,6 +87,13 @@ pub(crate) enum SolidSpec {
         /// Length along the axis between the centers of the balls [m].
         height: Size,
     },
+    /// A ball stretched along the axes.
+    Ellipsoid {
+        /// Center [m].
+        center: [Coordinate; 3],
+        /// Half of each axis, along x, y and z [m].
+        half_axes: [Size; 3],
+    },
     /// A box along the axes; give `min` and `max`, or `center` and `size`.
     Box {
         /// Lowest corner [m].

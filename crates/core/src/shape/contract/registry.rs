@@ -57,6 +57,9 @@ fn primitives() -> Vec<Row> {
             },
             true,
         ),
+        ("ellipsoid", ellipsoid(0.9, 0.35, 0.6), true),
+        ("disk-like ellipsoid", ellipsoid(0.8, 0.8, 0.2), true),
+        ("needle-like ellipsoid", ellipsoid(0.2, 0.2, 0.8), true),
         ("box", cuboid(), true),
         (
             "revolution, closed",
@@ -158,6 +161,12 @@ fn ball() -> Shape {
 fn cuboid() -> Shape {
     Shape::Cuboid {
         half_sides: Vec3::new(0.5, 0.7, 0.3),
+    }
+}
+
+fn ellipsoid(x: f64, y: f64, z: f64) -> Shape {
+    Shape::Ellipsoid {
+        half_axes: Vec3::new(x, y, z),
     }
 }
 
