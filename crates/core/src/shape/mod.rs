@@ -13,6 +13,7 @@ mod half_space;
 mod offset;
 mod placement;
 mod revolution;
+mod shell;
 mod sphere;
 mod torus;
 mod validation;
@@ -140,6 +141,13 @@ pub enum Shape {
         /// What is grown.
         of: Box<Shape>,
     },
+    /// A shape hollowed out, closed on all sides; its outer face stays where it is.
+    Shell {
+        /// Thickness of the wall that is left [m].
+        thickness: f64,
+        /// What is hollowed out.
+        of: Box<Shape>,
+    },
 }
 
 /// What a shape says of a point.
@@ -204,6 +212,7 @@ impl Shape {
             } => placement::mirrored(*on_plane, *normal, of, point),
             Self::Scaled { by, of } => placement::scaled(*by, of, point),
             Self::Offset { by, of } => offset::surface(*by, of, point),
+            Self::Shell { thickness, of } => shell::surface(*thickness, of, point),
         }
     }
 
@@ -258,7 +267,9 @@ impl Shape {
             Self::Revolution { profile } => profile.bounds(),
             Self::Union { of } => return all(of, Bounds::merged),
             Self::Intersection { of } => return all(of, Bounds::common),
-            Self::Difference { of, .. } => return of.bounds_within(distance),
+            Self::Difference { of, .. } | Self::Shell { of, .. } => {
+                return of.bounds_within(distance);
+            }
             Self::Translated { by, of } => return of.bounds_within(distance).translated(*by),
             Self::Rotated { by, of } => return of.bounds_within(distance).rotated(by),
             Self::Mirrored { point, normal, of } => {

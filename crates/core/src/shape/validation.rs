@@ -136,6 +136,11 @@ impl Shape {
             Self::Offset { by, of } => {
                 positive("length of the offset", *by).and_then(|()| of.validate())
             }
+            Self::Shell { thickness, of } => {
+                positive("thickness of the shell", *thickness)?;
+                of.validate()?;
+                room_within(of, *thickness)
+            }
         }
     }
 }
@@ -188,6 +193,22 @@ fn below(
             limit,
         })
     }
+}
+
+/// Whether a wall leaves a hollow, judged by the box around the shape; one without end has room.
+///
+/// A shape that fills its box poorly may be solid at less.
+fn room_within(of: &Shape, thickness: f64) -> Result<(), ShapeError> {
+    let bounds = of.bounds();
+    if !bounds.is_finite() {
+        return Ok(());
+    }
+    below(
+        "thickness of the shell",
+        thickness,
+        "half of the smallest side around what is hollowed out",
+        (bounds.max - bounds.min).min() / 2.0,
+    )
 }
 
 fn finite(what: &'static str, vector: Vec3) -> Result<(), ShapeError> {

@@ -59,6 +59,14 @@ fn changed() -> Vec<Row> {
             PI / 24.0 * (0.04 + 0.16 + 0.64),
         ),
         (
+            "hollow box",
+            Shape::Shell {
+                thickness: 0.1,
+                of: Box::new(cuboid()),
+            },
+            0.48 - 0.4 * 0.6 * 0.8,
+        ),
+        (
             "grown box",
             Shape::Offset {
                 by: 0.2,

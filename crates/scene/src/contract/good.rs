@@ -167,6 +167,11 @@ const PLACED: &[(&str, [f64; 3], [f64; 3])] = &[
         [0.0, 0.0, 1.0],
     ),
     (
+        "{ kind = \"shell\", thickness = 0.2, of = { kind = \"sphere\", center = [0, 0, 1], radius = 1 } }",
+        [0.8, 0.0, 1.0],
+        [-1.0, 0.0, 0.0],
+    ),
+    (
         "{ kind = \"offset\", by = \"100 mm\", of = { kind = \"box\", min = [0, 0, 0], max = [1, 2, 3] } }",
         [1.06, 2.08, 1.0],
         [0.6, 0.8, 0.0],
@@ -359,7 +364,7 @@ fn the_schema_is_draft_7_and_refuses_unknown_keys_everywhere() {
         }
         assert_ne!(object["type"], "null");
     });
-    // Sixteen kinds of shape, four of motion, two meters, and some twenty tables.
+    // Seventeen kinds of shape, four of motion, two meters, and some twenty tables.
     assert!(tables > 30, "{tables}");
 }
 

@@ -164,6 +164,13 @@ pub(crate) enum SolidSpec {
         /// The point that stays where it is [m]; the origin where none is given.
         about: Option<[Coordinate; 3]>,
     },
+    /// A shape hollowed out, closed on all sides; its outer face stays where it is.
+    Shell {
+        /// What is hollowed out.
+        of: Box<ShapeSpec>,
+        /// Thickness of the wall that is left, less than half of the smallest side of the shape [m].
+        thickness: Size,
+    },
     /// A shape grown outward; its edges become round.
     Offset {
         /// What is grown.

@@ -9,7 +9,7 @@ type Row = (&'static str, Shape, bool);
 
 /// One of each shape.
 pub(super) fn registry() -> Vec<Row> {
-    [primitives(), combinations(), grown(), placements()].concat()
+    [primitives(), combinations(), parallels(), placements()].concat()
 }
 
 fn primitives() -> Vec<Row> {
@@ -101,9 +101,13 @@ fn combinations() -> Vec<Row> {
     ]
 }
 
-fn grown() -> Vec<Row> {
+fn parallels() -> Vec<Row> {
     let grown = |of: Shape| Shape::Offset {
         by: 0.2,
+        of: Box::new(of),
+    };
+    let hollow = |of: Shape| Shape::Shell {
+        thickness: 0.1,
         of: Box::new(of),
     };
     let acute = Shape::Intersection {
@@ -114,6 +118,14 @@ fn grown() -> Vec<Row> {
         ("offset of a pointed cone", grown(pointed_cone()), true),
         ("offset of a torus", grown(torus()), true),
         ("offset of an intersection", grown(acute), false),
+        ("shell of a box", hollow(cuboid()), true),
+        ("shell of a cylinder", hollow(cylinder()), true),
+        ("shell of a torus", hollow(torus()), true),
+        (
+            "shell of an ellipsoid",
+            hollow(ellipsoid(0.9, 0.35, 0.6)),
+            true,
+        ),
     ]
 }
 
