@@ -1,5 +1,6 @@
 //! What every shape promises, held for each row of the table in `registry.rs`.
 
+mod ellipsoid;
 mod registry;
 
 use super::{Profile, Shape, Surface};
@@ -214,6 +215,43 @@ fn a_grown_shape_is_curved_as_the_larger_shape_it_is() {
 }
 
 #[test]
+fn a_shell_is_hollow_within_and_keeps_its_outer_face() {
+    let thickness = 0.1;
+    let shell = |of: Shape| Shape::Shell {
+        thickness,
+        of: Box::new(of),
+    };
+    let ball = shell(Shape::Sphere { radius: 0.5 });
+    for (from_center, distance, mean_curvature) in
+        [(0.7, 0.2, 2.0), (0.46, -0.04, 2.0), (0.3, 0.1, -1.0 / 0.4)]
+    {
+        let surface = ball.surface(Vec3::new(0.0, 0.0, from_center));
+        assert!((surface.distance - distance).abs() < 1.0e-15);
+        assert!((surface.mean_curvature() - mean_curvature).abs() < 1.0e-14);
+    }
+    // The hollow of a pipe is curved one way only.
+    let pipe = shell(Shape::Cylinder {
+        radius: 0.5,
+        half_length: 2.0,
+    });
+    let inside = pipe.surface(Vec3::new(0.3, 0.0, 0.0));
+    assert!((inside.mean_curvature() + 0.5 / 0.4).abs() < 1.0e-14);
+}
+
+#[test]
+fn a_wall_thicker_than_the_shape_is_refused_with_its_bound() {
+    let solid = Shape::Shell {
+        thickness: 0.5,
+        of: Box::new(Shape::Sphere { radius: 0.5 }),
+    };
+    let error = solid.validate().expect_err("no hollow is left");
+    assert_eq!(
+        error.to_string(),
+        "thickness of the shell is 0.5 m; expected less than half of the smallest side around what is hollowed out, 0.5 m"
+    );
+}
+
+#[test]
 fn a_mirror_turns_what_is_left_to_the_right() {
     let capsule = Shape::Capsule {
         radius: 0.1,
@@ -274,6 +312,13 @@ fn impossible_shapes_are_refused() {
             point: Vec3::zeros(),
             normal: Vec3::x_axis(),
             of: Box::new(Shape::Sphere { radius: 0.0 }),
+        },
+        Shape::Ellipsoid {
+            half_axes: Vec3::new(1.0, 0.0, 1.0),
+        },
+        Shape::Shell {
+            thickness: 0.0,
+            of: Box::new(Shape::Sphere { radius: 1.0 }),
         },
         Shape::Union { of: vec![] },
         Shape::Revolution {

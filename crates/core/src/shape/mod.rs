@@ -8,10 +8,12 @@ mod combination;
 mod cone;
 mod cuboid;
 mod cylinder;
+mod ellipsoid;
 mod half_space;
 mod offset;
 mod placement;
 mod revolution;
+mod shell;
 mod sphere;
 mod torus;
 mod validation;
@@ -69,6 +71,11 @@ pub enum Shape {
         radius: f64,
         /// Half of the length along z between the centers of the ends [m].
         half_length: f64,
+    },
+    /// A ball about the origin, stretched along the axes.
+    Ellipsoid {
+        /// Half of each axis [m].
+        half_axes: Vec3,
     },
     /// A box about the origin, aligned with the axes.
     Cuboid {
@@ -134,6 +141,13 @@ pub enum Shape {
         /// What is grown.
         of: Box<Shape>,
     },
+    /// A shape hollowed out, closed on all sides; its outer face stays where it is.
+    Shell {
+        /// Thickness of the wall that is left [m].
+        thickness: f64,
+        /// What is hollowed out.
+        of: Box<Shape>,
+    },
 }
 
 /// What a shape says of a point.
@@ -183,6 +197,7 @@ impl Shape {
                 radius,
                 half_length,
             } => capsule::surface(*radius, *half_length, point),
+            Self::Ellipsoid { half_axes } => ellipsoid::surface(*half_axes, point),
             Self::Cuboid { half_sides } => cuboid::surface(*half_sides, point),
             Self::Revolution { profile } => revolution::surface(profile, point),
             Self::Union { of } => combination::union(of, point),
@@ -197,6 +212,7 @@ impl Shape {
             } => placement::mirrored(*on_plane, *normal, of, point),
             Self::Scaled { by, of } => placement::scaled(*by, of, point),
             Self::Offset { by, of } => offset::surface(*by, of, point),
+            Self::Shell { thickness, of } => shell::surface(*thickness, of, point),
         }
     }
 
@@ -246,11 +262,14 @@ impl Shape {
                 radius,
                 half_length,
             } => Bounds::about_origin(Vec3::new(*radius, *radius, half_length + radius)),
+            Self::Ellipsoid { half_axes } => Bounds::about_origin(*half_axes),
             Self::Cuboid { half_sides } => Bounds::about_origin(*half_sides),
             Self::Revolution { profile } => profile.bounds(),
             Self::Union { of } => return all(of, Bounds::merged),
             Self::Intersection { of } => return all(of, Bounds::common),
-            Self::Difference { of, .. } => return of.bounds_within(distance),
+            Self::Difference { of, .. } | Self::Shell { of, .. } => {
+                return of.bounds_within(distance);
+            }
             Self::Translated { by, of } => return of.bounds_within(distance).translated(*by),
             Self::Rotated { by, of } => return of.bounds_within(distance).rotated(by),
             Self::Mirrored { point, normal, of } => {

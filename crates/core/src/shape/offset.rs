@@ -30,7 +30,8 @@ fn parallel_curvature(curvature: f64, at: f64) -> f64 {
     if share_of_length > 0.0 {
         curvature / share_of_length
     } else {
-        // Beyond the center of curvature the parallel surface has no smooth point here, but an edge.
-        f64::NEG_INFINITY.copysign(at)
+        // Beyond the center of curvature the parallel surface has no smooth point here, but an edge:
+        // one that juts out of what was shrunk, a groove in what was grown.
+        f64::INFINITY.copysign(-at)
     }
 }

@@ -117,6 +117,9 @@ impl Shape {
                 positive("radius of the capsule", *radius)?;
                 positive("half length of the capsule", *half_length)
             }
+            Self::Ellipsoid { half_axes } => half_axes
+                .iter()
+                .try_for_each(|half_axis| positive("half-axis of the ellipsoid", *half_axis)),
             Self::Cuboid { half_sides } => half_sides
                 .iter()
                 .try_for_each(|half_side| positive("half side of the box", *half_side)),
@@ -132,6 +135,11 @@ impl Shape {
             Self::Scaled { by, of } => factor(*by).and_then(|()| of.validate()),
             Self::Offset { by, of } => {
                 positive("length of the offset", *by).and_then(|()| of.validate())
+            }
+            Self::Shell { thickness, of } => {
+                positive("thickness of the shell", *thickness)?;
+                of.validate()?;
+                room_within(of, *thickness)
             }
         }
     }
@@ -185,6 +193,22 @@ fn below(
             limit,
         })
     }
+}
+
+/// Whether a wall leaves a hollow, judged by the box around the shape; one without end has room.
+///
+/// A shape that fills its box poorly may be solid at less.
+fn room_within(of: &Shape, thickness: f64) -> Result<(), ShapeError> {
+    let bounds = of.bounds();
+    if !bounds.is_finite() {
+        return Ok(());
+    }
+    below(
+        "thickness of the shell",
+        thickness,
+        "half of the smallest side around what is hollowed out",
+        (bounds.max - bounds.min).min() / 2.0,
+    )
 }
 
 fn finite(what: &'static str, vector: Vec3) -> Result<(), ShapeError> {

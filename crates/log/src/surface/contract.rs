@@ -59,6 +59,14 @@ fn changed() -> Vec<Row> {
             PI / 24.0 * (0.04 + 0.16 + 0.64),
         ),
         (
+            "hollow box",
+            Shape::Shell {
+                thickness: 0.1,
+                of: Box::new(cuboid()),
+            },
+            0.48 - 0.4 * 0.6 * 0.8,
+        ),
+        (
             "grown box",
             Shape::Offset {
                 by: 0.2,
@@ -96,6 +104,13 @@ fn built() -> Vec<Row> {
                 half_length: 0.5,
             },
             PI * 0.09 * (1.0 + 0.4),
+        ),
+        (
+            "ellipsoid",
+            Shape::Ellipsoid {
+                half_axes: Vec3::new(0.2, 0.5, 0.3),
+            },
+            4.0 / 3.0 * PI * 0.03,
         ),
         (
             "ring with clockwise corners",

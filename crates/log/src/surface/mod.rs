@@ -40,6 +40,8 @@ impl Mesh {
                 radius,
                 half_length,
             } => turned::mesh(&turned::stadium(*radius, *half_length)),
+            Shape::Ellipsoid { half_axes } => turned::mesh(&turned::half_circle(1.0))
+                .mapped(|point| point.component_mul(half_axes)),
             Shape::Cuboid { half_sides } => cuboid::mesh(&Bounds {
                 min: -half_sides,
                 max: *half_sides,
@@ -75,6 +77,12 @@ impl Mesh {
                 Self::of(of, &bounds.scaled(1.0 / by)).mapped(|point| point * *by)
             }
             Shape::Offset { by, of } => level::mesh(of, *by, &shape.bounds().common(bounds)),
+            Shape::Shell { thickness, of } => {
+                let hollow = level::mesh(of, -thickness, &of.bounds().common(bounds));
+                [Self::of(of, bounds), hollow.inside_out()]
+                    .into_iter()
+                    .collect()
+            }
             // A shape that has no triangles of its own yet is shown by its box rather than not at all.
             other => cuboid::mesh(&other.bounds().common(bounds)),
         }

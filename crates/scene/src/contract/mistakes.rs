@@ -39,6 +39,8 @@ const CASES: &[(&str, &str, &str)] = &[
     ("normal = [0, 0, 2] }", "normal = [0, 0] }", "`normal` has 2 values; expected a list of 3 values"),
     (WALL, "{ kind = \"torus\", center = [0, 0, 0], ring_radius = 0.2, tube_radius = 0.3 }", "`tube_radius` is 0.3 m and `ring_radius` 0.2 m; expected `tube_radius` below `ring_radius`"),
     (WALL, "{ kind = \"capsule\", base = [0, 0, 0], radius = 0, height = 1 }", "`radius` is 0; expected more than 0 m"),
+    (WALL, "{ kind = \"shell\", thickness = \"600 mm\", of = { kind = \"box\", center = [0, 0, 0], size = [1, 2, 3] } }", "`thickness` is 0.6 m; expected less than 0.5 m, half of the smallest side of `of`; make the wall thinner"),
+    (WALL, "{ kind = \"ellipsoid\", center = [0, 0, 0], half_axes = [1, 1] }", "`half_axes` has 2 values; expected a list of 3 values"),
     (WALL, "{ kind = \"mirror\", point = [0, 0, 0], normal = [0, 0, 0], of = { kind = \"sphere\", center = [0, 0, 0], radius = 1 } }", "`normal` is a zero vector; expected a direction"),
     (WALL, "{ kind = \"scale\", factor = 0, of = { kind = \"sphere\", center = [0, 0, 0], radius = 1 } }", "`factor` is 0; expected more than 0 and at most"),
     (WALL, "{ kind = \"offset\", by = \"-1 mm\", of = { kind = \"sphere\", center = [0, 0, 0], radius = 1 } }", "`by` is \"-1 mm\"; expected more than 0 m"),

@@ -4,7 +4,7 @@ use super::{Resolver, point, sides};
 use crate::key_path::KeyPath;
 use crate::quantity::{Angle, Coordinate, Size};
 use crate::spec::shape::{RotateSpec, ShapeSpec, SolidSpec};
-use pelletflow_core::shape::Profile;
+use pelletflow_core::shape::{Profile, ShapeError};
 use pelletflow_core::{Shape, UnitQuaternion, UnitVector3, Vec3};
 
 impl Resolver<'_> {
@@ -53,6 +53,10 @@ impl Resolver<'_> {
                 by: by.0,
                 of: Box::new(self.shape(of, &path.key("of"))),
             },
+            SolidSpec::Shell { of, thickness } => {
+                let of = self.shape(of, &path.key("of"));
+                self.shell(of, thickness.0, path)
+            }
             primitive => self.primitive(primitive, path),
         }
     }
@@ -73,9 +77,8 @@ impl Resolver<'_> {
                 height,
             } => {
                 let half_length = height.0 / 2.0;
-                let radius = radius.0;
                 let solid = Shape::Cylinder {
-                    radius,
+                    radius: radius.0,
                     half_length,
                 };
                 self.stood(solid, half_length, *axis, point(*base), path)
@@ -111,12 +114,15 @@ impl Resolver<'_> {
                 height,
             } => {
                 let half_length = height.0 / 2.0;
-                let radius = radius.0;
                 let solid = Shape::Capsule {
-                    radius,
+                    radius: radius.0,
                     half_length,
                 };
                 self.stood(solid, half_length, *axis, point(*base), path)
+            }
+            SolidSpec::Ellipsoid { center, half_axes } => {
+                let half_axes = sides(*half_axes);
+                moved(Shape::Ellipsoid { half_axes }, point(*center))
             }
             SolidSpec::Box {
                 min,
@@ -146,7 +152,8 @@ impl Resolver<'_> {
             | SolidSpec::Difference { .. }
             | SolidSpec::Mirror { .. }
             | SolidSpec::Scale { .. }
-            | SolidSpec::Offset { .. } => {
+            | SolidSpec::Offset { .. }
+            | SolidSpec::Shell { .. } => {
                 unreachable!("what is made of other shapes is resolved before")
             }
         };
@@ -182,6 +189,25 @@ impl Resolver<'_> {
             UnitQuaternion::from_axis_angle(&Vec3::x_axis(), std::f64::consts::PI)
         });
         moved(turned(solid, turn), base + half_length * axis.into_inner())
+    }
+
+    fn shell(&mut self, of: Shape, thickness: f64, path: &KeyPath) -> Shape {
+        let shell = Shape::Shell {
+            thickness,
+            of: Box::new(of),
+        };
+        // Other mistakes have been found in the part itself.
+        if let Err(ShapeError::TooLarge { value, limit, .. }) = shell.validate() {
+            self.findings.add(
+                &path.key("thickness"),
+                format!(
+                    "`thickness` is {value} m; expected less than {limit} m, half of the smallest side of `of`; make the \
+                     wall thinner or leave the shape solid"
+                ),
+            );
+            return stand_in();
+        }
+        shell
     }
 
     fn torus(&mut self, ring_radius: f64, tube_radius: f64, path: &KeyPath) -> Shape {

@@ -87,6 +87,13 @@ pub(crate) enum SolidSpec {
         /// Length along the axis between the centers of the balls [m].
         height: Size,
     },
+    /// A ball stretched along the axes.
+    Ellipsoid {
+        /// Center [m].
+        center: [Coordinate; 3],
+        /// Half of each axis, along x, y and z [m].
+        half_axes: [Size; 3],
+    },
     /// A box along the axes; give `min` and `max`, or `center` and `size`.
     Box {
         /// Lowest corner [m].
@@ -156,6 +163,13 @@ pub(crate) enum SolidSpec {
         factor: f64,
         /// The point that stays where it is [m]; the origin where none is given.
         about: Option<[Coordinate; 3]>,
+    },
+    /// A shape hollowed out, closed on all sides; its outer face stays where it is.
+    Shell {
+        /// What is hollowed out.
+        of: Box<ShapeSpec>,
+        /// Thickness of the wall that is left, less than half of the smallest side of the shape [m].
+        thickness: Size,
     },
     /// A shape grown outward; its edges become round.
     Offset {

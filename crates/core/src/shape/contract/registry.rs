@@ -9,7 +9,7 @@ type Row = (&'static str, Shape, bool);
 
 /// One of each shape.
 pub(super) fn registry() -> Vec<Row> {
-    [primitives(), combinations(), grown(), placements()].concat()
+    [primitives(), combinations(), parallels(), placements()].concat()
 }
 
 fn primitives() -> Vec<Row> {
@@ -57,6 +57,9 @@ fn primitives() -> Vec<Row> {
             },
             true,
         ),
+        ("ellipsoid", ellipsoid(0.9, 0.35, 0.6), true),
+        ("disk-like ellipsoid", ellipsoid(0.8, 0.8, 0.2), true),
+        ("needle-like ellipsoid", ellipsoid(0.2, 0.2, 0.8), true),
         ("box", cuboid(), true),
         (
             "revolution, closed",
@@ -98,9 +101,13 @@ fn combinations() -> Vec<Row> {
     ]
 }
 
-fn grown() -> Vec<Row> {
+fn parallels() -> Vec<Row> {
     let grown = |of: Shape| Shape::Offset {
         by: 0.2,
+        of: Box::new(of),
+    };
+    let hollow = |of: Shape| Shape::Shell {
+        thickness: 0.1,
         of: Box::new(of),
     };
     let acute = Shape::Intersection {
@@ -111,6 +118,14 @@ fn grown() -> Vec<Row> {
         ("offset of a pointed cone", grown(pointed_cone()), true),
         ("offset of a torus", grown(torus()), true),
         ("offset of an intersection", grown(acute), false),
+        ("shell of a box", hollow(cuboid()), true),
+        ("shell of a cylinder", hollow(cylinder()), true),
+        ("shell of a torus", hollow(torus()), true),
+        (
+            "shell of an ellipsoid",
+            hollow(ellipsoid(0.9, 0.35, 0.6)),
+            true,
+        ),
     ]
 }
 
@@ -158,6 +173,12 @@ fn ball() -> Shape {
 fn cuboid() -> Shape {
     Shape::Cuboid {
         half_sides: Vec3::new(0.5, 0.7, 0.3),
+    }
+}
+
+fn ellipsoid(x: f64, y: f64, z: f64) -> Shape {
+    Shape::Ellipsoid {
+        half_axes: Vec3::new(x, y, z),
     }
 }
 
