@@ -111,6 +111,8 @@ def test_ctrl_c_stops_within_a_second(kind, drop_file, tmp_path):
         [sys.executable, "-c", ENDLESS, str(drop_file), str(tmp_path / "out"), kind],
         stdout=subprocess.PIPE,
         text=True,
+        # What runs in the background of a script is deaf to Ctrl-C, and so are its children.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )
     assert process.stdout is not None
     assert process.stdout.readline() == "started\n"
