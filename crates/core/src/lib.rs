@@ -7,6 +7,7 @@ pub mod contact;
 pub mod material;
 pub mod pose;
 pub mod shape;
+pub mod solid;
 
 pub use bounds::Bounds;
 pub use contact::{Contact, ContactForce, ContactHistory, ContactLaws};
@@ -14,6 +15,7 @@ pub use material::{Material, MaterialPair, PairProperties};
 pub use nalgebra::{UnitQuaternion, UnitVector3};
 pub use pose::Pose;
 pub use shape::{Profile, Shape, ShapeError, Surface};
+pub use solid::{Solid, Touches};
 
 /// A point, a direction or a vector in space; the unit is that of its use.
 pub type Vec3 = nalgebra::Vector3<f64>;

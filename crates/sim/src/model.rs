@@ -7,7 +7,8 @@ use crate::time_step::{self, TimeStep};
 use crate::validate;
 use crate::wall_contacts::LEAST_CURVATURE_SHARE;
 use pelletflow_core::contact::Sampling;
-use pelletflow_core::{ContactLaws, MaterialPair};
+use pelletflow_core::solid::MOST_TOUCHES;
+use pelletflow_core::{ContactLaws, MaterialPair, Solid};
 
 /// A validated setup with what follows from it; a step never changes it.
 #[derive(Debug, Clone)]
@@ -32,6 +33,8 @@ struct Derived {
     largest_diameter: f64,
     has_rotation: bool,
     greatest_wall_speed: f64,
+    /// Of the walls, ready to be touched.
+    solids: Vec<Solid>,
     holding_gap: f64,
 }
 
@@ -135,6 +138,22 @@ impl Model {
         &self.derived.pairs_with_walls[usize::from(kind) * self.setup.walls.len() + wall]
     }
 
+    /// The solid of a wall, in its own frame.
+    #[inline]
+    pub(crate) fn solid(&self, wall: usize) -> &Solid {
+        &self.derived.solids[wall]
+    }
+
+    /// Contacts that a pellet may have with a wall at the same time [-].
+    #[inline]
+    pub(crate) fn touches_at(&self, wall: usize) -> usize {
+        if self.derived.solids[wall].is_touched_at_many() {
+            MOST_TOUCHES
+        } else {
+            1
+        }
+    }
+
     /// Gap up to which some bodies that have touched hold on to each other [m].
     #[inline]
     pub(crate) fn holding_gap(&self) -> f64 {
@@ -191,6 +210,11 @@ impl Derived {
             smallest_diameter,
             largest_diameter,
             has_rotation: setup.laws.turns() || !setup.skips.rotation,
+            solids: setup
+                .walls
+                .iter()
+                .map(|wall| Solid::new(&wall.shape))
+                .collect(),
             greatest_wall_speed: setup
                 .walls
                 .iter()

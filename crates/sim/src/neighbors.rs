@@ -7,7 +7,7 @@ use crate::setup::NeighborSearch;
 use crate::state::{ChunkContacts, Pellets, Row, State, vector};
 use crate::workspace::{ChunkList, NearWall, Workspace};
 use pelletflow_broadphase::{Grid, Search, Tree, WallTree, morton};
-use pelletflow_core::{Bounds, ContactLaws};
+use pelletflow_core::{Bounds, ContactLaws, Vec3};
 use std::ops::Range;
 
 /// Size ratio up to which the grid finds neighbors faster than the tree [-] (measured: 1:3 to 1:4).
@@ -131,10 +131,11 @@ fn list_walls(
             let point = walls[index].pose.inverse_point(center);
             let is_near = setup.walls[index].shape.distance(point) < radius + model.skin();
             if is_near || !setup.skips.distant_walls {
-                near_walls.push(NearWall {
+                let near = NearWall {
                     pellet: local as u32,
                     wall,
-                });
+                };
+                near_walls.extend(std::iter::repeat_n(near, model.touches_at(index)));
             }
         }
     }
@@ -175,7 +176,7 @@ impl OldContacts<'_> {
         Some((chunk, first + place))
     }
 
-    /// Where the memory that pellet `a`, by old index, holds of a wall is: chunk and slot.
+    /// Where the memory that pellet `a`, by old index, holds of a wall begins: chunk and first slot.
     fn of_wall(&self, a: usize, wall: u32) -> Option<(usize, usize)> {
         if a >= self.count {
             return None;
@@ -183,10 +184,9 @@ impl OldContacts<'_> {
         let (chunk, local) = (a / self.chunk_size, a % self.chunk_size);
         let near_walls = &self.lists[chunk].near_walls;
         let sought = (local as u32, wall);
-        let place = near_walls
-            .binary_search_by_key(&sought, |near| (near.pellet, near.wall))
-            .ok()?;
-        Some((chunk, place))
+        let place = near_walls.partition_point(|near| (near.pellet, near.wall) < sought);
+        let found = near_walls.get(place)?;
+        ((found.pellet, found.wall) == sought).then_some((chunk, place))
     }
 }
 
@@ -212,14 +212,21 @@ fn carry(
             }
         }
     }
-    for near in &list.near_walls {
+    // A wall that is touched at several places is listed as many times in a row, and so are its memories.
+    for places in list.near_walls.chunk_by(PartialEq::eq) {
+        let near = places[0];
         let a = order[range.start + near.pellet as usize] as usize;
-        match old.of_wall(a, near.wall) {
-            Some((chunk, slot)) => {
-                let from = &old.contacts[chunk].wall;
-                contacts.wall.push_from(from, slot, Side::Same, laws);
+        let first = old.of_wall(a, near.wall);
+        for place in 0..places.len() {
+            if let Some((chunk, first)) = first {
+                let from = &old.contacts[chunk];
+                let slot = first + place;
+                contacts.wall.push_from(&from.wall, slot, Side::Same, laws);
+                contacts.wall_normals.push(from.wall_normals[slot]);
+            } else {
+                contacts.wall.push_new(laws);
+                contacts.wall_normals.push(Vec3::zeros());
             }
-            None => contacts.wall.push_new(laws),
         }
     }
     contacts

@@ -64,6 +64,8 @@ pub struct ChunkContacts {
     pub pellet: ContactMemories,
     /// With walls.
     pub wall: ContactMemories,
+    /// Normals of the contacts with walls in the last step, by which each knows its own again [-].
+    pub wall_normals: Vec<Vec3>,
 }
 
 /// A pellet about to be stored.

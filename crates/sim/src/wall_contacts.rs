@@ -5,28 +5,97 @@ use crate::pair_contacts::add_load;
 use crate::state::vector;
 use crate::tally::{DeepestContact, Partner};
 use crate::workspace::NearWall;
-use pelletflow_core::{Contact, Vec3};
+use pelletflow_core::solid::MOST_TOUCHES;
+use pelletflow_core::{Contact, Surface, Vec3};
+use std::ops::Range;
 
 /// Least curvature of a contact over the pellet's own [-]: a pellet in a hollow of nearly its own radius would
 /// otherwise be held by an infinite force.
 pub(crate) const LEAST_CURVATURE_SHARE: f64 = 0.05;
 
+/// Cosine between the normals of a contact in two steps below which it is another contact [-].
+const SAME_CONTACT: f64 = 0.8;
+
 /// Adds the forces of all walls that the chunk lists.
 pub(crate) fn add_forces(chunk: &mut ForceChunk) {
-    for slot in 0..chunk.list.near_walls.len() {
-        let NearWall { pellet, wall } = chunk.list.near_walls[slot];
-        let (local, wall) = (pellet as usize, wall as usize);
-        let is_touching = chunk.walls[wall].is_present && touch(chunk, local, wall, slot);
+    let mut first = 0;
+    while first < chunk.list.near_walls.len() {
+        let NearWall { pellet, wall } = chunk.list.near_walls[first];
+        let places = first..first + chunk.model.touches_at(wall as usize);
+        first = places.end;
+        touch_wall(chunk, pellet as usize, wall as usize, places);
+    }
+}
+
+/// Adds the forces of all contacts of one pellet with one wall, which remember in `places`.
+fn touch_wall(chunk: &mut ForceChunk, local: usize, wall: usize, places: Range<usize>) {
+    let mut is_free = [true; MOST_TOUCHES];
+    if chunk.walls[wall].is_present {
+        let a = chunk.range.start + local;
+        let row = &chunk.pellets.position[a];
+        let (center, reach) = (vector(row), row[3] + chunk.model.holding_gap());
+        let pose = &chunk.walls[wall].pose;
+        let is_moving = chunk.model.setup().walls[wall].motion.is_moving();
+        let seen = if is_moving {
+            pose.inverse_point(center)
+        } else {
+            center
+        };
+        for &surface in chunk.model.solid(wall).touches(seen, reach).as_slice() {
+            let surface = Surface {
+                normal: if is_moving {
+                    pose.direction(surface.normal)
+                } else {
+                    surface.normal
+                },
+                ..surface
+            };
+            let Some(place) = place_of(chunk, &surface, &places, &is_free) else {
+                continue;
+            };
+            is_free[place] = !touch(chunk, local, wall, places.start + place, &surface);
+        }
+    }
+    for (slot, is_free) in places.zip(is_free) {
         let steps = chunk.contacts.wall.rows[slot].steps;
-        if !is_touching && steps > 0 {
+        if is_free && steps > 0 {
             chunk.tally.finish(steps);
             chunk.contacts.wall.forget(slot);
         }
     }
 }
 
-/// Adds the force of one wall, if it touches the pellet; tells whether they hold on to each other.
-fn touch(chunk: &mut ForceChunk, local: usize, index: usize, slot: usize) -> bool {
+/// Which of the places remembers a contact: the one that was there in the last step, or else one without a memory.
+fn place_of(
+    chunk: &ForceChunk,
+    surface: &Surface,
+    places: &Range<usize>,
+    is_free: &[bool],
+) -> Option<usize> {
+    if places.len() == 1 {
+        return is_free[0].then_some(0);
+    }
+    let sameness = |place: usize| {
+        let slot = places.start + place;
+        if chunk.contacts.wall.rows[slot].steps > 0 {
+            chunk.contacts.wall_normals[slot].dot(&surface.normal)
+        } else {
+            SAME_CONTACT
+        }
+    };
+    (0..places.len())
+        .filter(|&place| is_free[place] && sameness(place) >= SAME_CONTACT)
+        .max_by(|&a, &b| sameness(a).total_cmp(&sameness(b)))
+}
+
+/// Adds the force of one contact with a wall; tells whether the two hold on to each other.
+fn touch(
+    chunk: &mut ForceChunk,
+    local: usize,
+    index: usize,
+    slot: usize,
+    surface: &Surface,
+) -> bool {
     let model = chunk.model;
     let a = chunk.range.start + local;
     let (center, radius) = (
@@ -34,23 +103,12 @@ fn touch(chunk: &mut ForceChunk, local: usize, index: usize, slot: usize) -> boo
         chunk.pellets.position[a][3],
     );
     let wall = &model.setup().walls[index];
-    let pose = &chunk.walls[index].pose;
-    let is_moving = wall.motion.is_moving();
-    let surface = wall.shape.surface(if is_moving {
-        pose.inverse_point(center)
-    } else {
-        center
-    });
+    let normal = surface.normal;
     let overlap = radius - surface.distance;
     let is_held = chunk.contacts.wall.rows[slot].steps > 0 && overlap > -model.holding_gap();
     if overlap <= 0.0 && !is_held {
         return false;
     }
-    let normal = if is_moving {
-        pose.direction(surface.normal)
-    } else {
-        surface.normal
-    };
     let arm = radius - 0.5 * overlap;
     let wall_velocity = wall.surface_velocity_at(center - arm * normal, normal, chunk.time);
     let wall_spin = wall.motion.spin(chunk.time);
@@ -90,6 +148,7 @@ fn touch(chunk: &mut ForceChunk, local: usize, index: usize, slot: usize) -> boo
     let is_over = history.normal_force == 0.0;
     if !is_over {
         chunk.contacts.wall.step(slot, &history, laws);
+        chunk.contacts.wall_normals[slot] = normal;
     }
     !is_over
 }

@@ -12,7 +12,7 @@ pub(super) fn surface(by: f64, of: &Shape, point: Vec3) -> Surface {
 }
 
 /// The parallel surface at a distance, positive outward.
-pub(super) fn parallel(surface: Surface, at: f64) -> Surface {
+pub(crate) fn parallel(surface: Surface, at: f64) -> Surface {
     Surface {
         distance: surface.distance - at,
         normal: surface.normal,

@@ -80,7 +80,7 @@ impl Profile {
     }
 }
 
-pub(super) fn surface(profile: &Profile, point: Vec3) -> Surface {
+pub(crate) fn surface(profile: &Profile, point: Vec3) -> Surface {
     match profile {
         Profile::Closed { corners } => turned(point, |r, z| polygon_surface(corners, r, z)),
         Profile::Plate { corners, thickness } => {
@@ -90,16 +90,16 @@ pub(super) fn surface(profile: &Profile, point: Vec3) -> Surface {
 }
 
 /// What a profile says of a point of the half-plane.
-pub(super) struct HalfPlaneSurface {
-    pub(super) distance: f64,
+pub(crate) struct HalfPlaneSurface {
+    pub(crate) distance: f64,
     /// Way out of the solid, as `[radial, axial]`.
-    pub(super) normal: [f64; 2],
+    pub(crate) normal: [f64; 2],
     /// Curvature of the profile line at the nearest point, positive where it bulges, infinite at a sharp corner [1/m].
-    pub(super) meridian_curvature: f64,
+    pub(crate) meridian_curvature: f64,
 }
 
 impl HalfPlaneSurface {
-    pub(super) fn flat(distance: f64, normal: [f64; 2]) -> Self {
+    pub(crate) fn flat(distance: f64, normal: [f64; 2]) -> Self {
         Self {
             distance,
             normal,
@@ -108,18 +108,22 @@ impl HalfPlaneSurface {
     }
 }
 
-/// Turns a surface of the half-plane about the z axis, and adds the curvature of the turn.
+/// Turns a surface of the half-plane about the z axis.
 pub(super) fn turned(
     point: Vec3,
     half_plane_surface: impl Fn(f64, f64) -> HalfPlaneSurface,
 ) -> Surface {
+    lifted(point, &half_plane_surface(point.x.hypot(point.y), point.z))
+}
+
+/// What the half-plane of a point says of it, in space, with the curvature of the turn.
+pub(crate) fn lifted(point: Vec3, flat: &HalfPlaneSurface) -> Surface {
     let from_axis = point.x.hypot(point.y);
     let (cos, sin) = if from_axis > 0.0 {
         (point.x / from_axis, point.y / from_axis)
     } else {
         (1.0, 0.0)
     };
-    let flat = half_plane_surface(from_axis, point.z);
     let [radial, axial] = flat.normal;
     let surface_radius = from_axis - flat.distance * radial;
     let turn_curvature = if surface_radius > 0.0 {
@@ -247,6 +251,16 @@ fn plate_surface(corners: &[[f64; 2]], half_thickness: f64, r: f64, z: f64) -> H
             0.0
         },
     }
+}
+
+/// Which way round a polygon runs: 1 counterclockwise as seen with the radius to the right and z up, −1 clockwise.
+pub(crate) fn winding(corners: &[[f64; 2]]) -> f64 {
+    let twice_area: f64 = corners
+        .iter()
+        .zip(corners.iter().cycle().skip(1))
+        .map(|(start, end)| start[0] * end[1] - end[0] * start[1])
+        .sum();
+    twice_area.signum()
 }
 
 fn no_crossing(corners: &[[f64; 2]]) -> Result<(), ShapeError> {
