@@ -22,31 +22,6 @@ impl Pose {
         }
     }
 
-    /// A move without a turn, by a vector [m].
-    pub fn translation(by: Vec3) -> Self {
-        Self {
-            translation: by,
-            ..Self::identity()
-        }
-    }
-
-    /// A turn about the origin.
-    pub fn rotation(by: UnitQuaternion<f64>) -> Self {
-        Self {
-            rotation: by,
-            ..Self::identity()
-        }
-    }
-
-    /// First another pose, then this one.
-    #[must_use]
-    pub fn after(&self, first: &Self) -> Self {
-        Self {
-            rotation: self.rotation * first.rotation,
-            translation: self.point(first.translation),
-        }
-    }
-
     /// A point of the body, seen from the world [m].
     pub fn point(&self, point_in_body: Vec3) -> Vec3 {
         self.rotation * point_in_body + self.translation

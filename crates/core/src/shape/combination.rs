@@ -42,7 +42,7 @@ pub(super) fn difference(of: &Shape, minus: &Shape, point: Vec3) -> Surface {
     }
 }
 
-pub(super) fn inside_out(surface: Surface) -> Surface {
+pub(crate) fn inside_out(surface: Surface) -> Surface {
     Surface {
         distance: -surface.distance,
         normal: -surface.normal,

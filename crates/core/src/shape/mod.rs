@@ -4,7 +4,7 @@
 //! matches below and to the one in `validation.rs`, and its row to `contract/registry.rs`; the contract tests then loop over it.
 
 mod capsule;
-mod combination;
+pub(crate) mod combination;
 mod cone;
 mod cuboid;
 mod cylinder;

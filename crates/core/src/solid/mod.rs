@@ -5,14 +5,22 @@
 //! In a corner it touches two faces at once, and at a sharp edge the edge itself.
 //! A place is touched where the surface is nearer to the center than everywhere about it.
 
+mod carved;
+mod face;
 mod grown;
+mod meeting;
+mod polygon;
+mod similarity;
 mod together;
 mod touches;
+mod tree;
 mod turned;
 
 pub use touches::{MOST_TOUCHES, Touches};
 
-use crate::{Pose, Profile, Shape, Surface, Vec3};
+use crate::{Profile, Shape, Vec3};
+use carved::Carved;
+use similarity::Similarity;
 use together::Together;
 
 /// A shape made ready to be touched.
@@ -28,12 +36,14 @@ enum Part {
     Single(Shape),
     /// A profile about the z axis.
     Turned(Profile),
-    /// A part moved and turned.
-    Placed { pose: Pose, of: Box<Part> },
+    /// A part moved, turned, mirrored or scaled.
+    Placed { at: Similarity, of: Box<Part> },
     /// A part and everything within a length of it [m].
     Grown { by: f64, of: Box<Part> },
     /// Parts together.
     Together(Together),
+    /// With edges where its faces meet.
+    Carved(Carved),
 }
 
 impl Solid {
@@ -62,8 +72,15 @@ impl Part {
         match shape {
             Shape::Revolution { profile } => Self::Turned(profile.clone()),
             Shape::Union { of } => Self::Together(Together::new(of)),
-            Shape::Translated { by, of } => Self::placed(Pose::translation(*by), of),
-            Shape::Rotated { by, of } => Self::placed(Pose::rotation(*by), of),
+            Shape::Intersection { .. } | Shape::Difference { .. } | Shape::Shell { .. } => {
+                Self::Carved(Carved::new(shape))
+            }
+            Shape::Translated { by, of } => Self::placed(&Similarity::translation(*by), of),
+            Shape::Rotated { by, of } => Self::placed(&Similarity::rotation(*by), of),
+            Shape::Mirrored { point, normal, of } => {
+                Self::placed(&Similarity::mirroring(*point, *normal), of)
+            }
+            Shape::Scaled { by, of } => Self::placed(&Similarity::scaling(*by), of),
             Shape::Offset { by, of } => match Self::new(of) {
                 Self::Single(_) => Self::Single(shape.clone()),
                 part => Self::Grown {
@@ -76,14 +93,14 @@ impl Part {
     }
 
     /// Placements in a row become one.
-    fn placed(outer: Pose, shape: &Shape) -> Self {
+    fn placed(outer: &Similarity, shape: &Shape) -> Self {
         match Self::new(shape) {
-            Self::Placed { pose: inner, of } => Self::Placed {
-                pose: outer.after(&inner),
+            Self::Placed { at: inner, of } => Self::Placed {
+                at: outer.after(&inner),
                 of,
             },
             part => Self::Placed {
-                pose: outer,
+                at: *outer,
                 of: Box::new(part),
             },
         }
@@ -93,7 +110,7 @@ impl Part {
         match self {
             Self::Single(_) => false,
             Self::Placed { of, .. } => of.is_touched_at_many(),
-            Self::Turned(_) | Self::Grown { .. } | Self::Together(_) => true,
+            Self::Turned(_) | Self::Grown { .. } | Self::Together(_) | Self::Carved(_) => true,
         }
     }
 
@@ -101,23 +118,16 @@ impl Part {
         match self {
             Self::Single(shape) => touches.offer(shape.surface(center)),
             Self::Turned(profile) => turned::offer(profile, center, touches),
-            Self::Placed { pose, of } => {
-                of.offer_mapped(pose.inverse_point(center), touches, |surface| Surface {
-                    normal: pose.direction(surface.normal),
-                    ..surface
-                });
+            Self::Placed { at, of } => {
+                let mut own = Touches::none(touches.reach() / at.scale());
+                of.offer(at.inverse_point(center), &mut own);
+                for &surface in own.as_slice() {
+                    touches.offer(at.surface(surface));
+                }
             }
             Self::Grown { by, of } => grown::offer(*by, of, center, touches),
             Self::Together(parts) => parts.offer(center, touches),
-        }
-    }
-
-    /// Offers the touches found from another point of view, each seen as from here.
-    fn offer_mapped(&self, center: Vec3, touches: &mut Touches, seen: impl Fn(Surface) -> Surface) {
-        let mut own = Touches::none(touches.reach());
-        self.offer(center, &mut own);
-        for &surface in own.as_slice() {
-            touches.offer(seen(surface));
+            Self::Carved(carved) => carved.offer(center, touches),
         }
     }
 
