@@ -5,6 +5,7 @@ use crate::pair_contacts::add_load;
 use crate::state::vector;
 use crate::tally::{DeepestContact, Partner};
 use crate::workspace::NearWall;
+use pelletflow_core::contact::curvature;
 use pelletflow_core::solid::MOST_TOUCHES;
 use pelletflow_core::{Contact, Surface, Vec3};
 use std::ops::Range;
@@ -88,6 +89,16 @@ fn place_of(
         .max_by(|&a, &b| sameness(a).total_cmp(&sameness(b)))
 }
 
+/// Effective radius of a pellet's contact with a wall, from its own radius [m].
+fn effective_radius(radius: f64, surface: &Surface) -> f64 {
+    let relative = surface.principal_curvatures.map(|of_wall| {
+        // The true radius of a sharp edge is unknown; it counts as flat.
+        let of_wall = if of_wall.is_finite() { of_wall } else { 0.0 };
+        (1.0 / radius + of_wall).max(LEAST_CURVATURE_SHARE / radius)
+    });
+    curvature::effective_radius(relative)
+}
+
 /// Adds the force of one contact with a wall; tells whether the two hold on to each other.
 fn touch(
     chunk: &mut ForceChunk,
@@ -116,13 +127,12 @@ fn touch(
         vector(&chunk.pellets.velocity[a]),
         vector(&chunk.pellets.spin[a]),
     );
-    let curvature = (1.0 / radius + surface.mean_curvature()).max(LEAST_CURVATURE_SHARE / radius);
     let contact = Contact {
         normal,
         overlap,
         relative_velocity: velocity - wall_velocity - arm * spin.cross(&normal),
         relative_spin: spin - wall_spin,
-        effective_radius: 1.0 / curvature,
+        effective_radius: effective_radius(radius, surface),
         effective_mass: 1.0 / chunk.pellets.velocity[a][3],
     };
     let pair = model.pair_with_wall(chunk.pellets.kind[a], index);

@@ -9,6 +9,7 @@
 
 pub mod batch;
 mod compose;
+pub mod curvature;
 mod laws;
 mod memory;
 pub mod normal;
@@ -38,7 +39,8 @@ pub struct Contact {
     pub relative_velocity: Vec3,
     /// Spin of A relative to B [rad/s].
     pub relative_spin: Vec3,
-    /// `R* = 1 / (K_A + K_B)`, where a hollow wall's curvature K is negative [m].
+    /// `R* = 1 / (K_A + K_B)`, where a hollow wall's curvature K is negative; by [`curvature::effective_radius`] where the
+    /// bodies bend more one way than across it [m].
     pub effective_radius: f64,
     /// `m* = 1 / (1/m_A + 1/m_B)`; a wall has no inverse mass [kg].
     pub effective_mass: f64,
