@@ -3,6 +3,7 @@
 //! To add one: write its file with a `surface` function, then add its variant to [`Shape`], its arm to the two
 //! matches below and to the one in `validation.rs`, and its row to `contract/registry.rs`; the contract tests then loop over it.
 
+mod blend;
 mod capsule;
 pub(crate) mod combination;
 mod cone;
@@ -104,6 +105,13 @@ pub enum Shape {
         /// What is taken away.
         minus: Box<Shape>,
     },
+    /// All of several shapes together, each two joined by a fillet in the corner where they meet.
+    Blend {
+        /// Radius of the fillets [m].
+        radius: f64,
+        /// The parts; at least one.
+        of: Vec<Shape>,
+    },
     /// A shape moved.
     Translated {
         /// The way it is moved [m].
@@ -203,6 +211,7 @@ impl Shape {
             Self::Union { of } => combination::union(of, point),
             Self::Intersection { of } => combination::intersection(of, point),
             Self::Difference { of, minus } => combination::difference(of, minus, point),
+            Self::Blend { radius, of } => blend::surface(*radius, of, point),
             Self::Translated { by, of } => placement::translated(*by, of, point),
             Self::Rotated { by, of } => placement::rotated(*by, of, point),
             Self::Mirrored {
@@ -265,7 +274,8 @@ impl Shape {
             Self::Ellipsoid { half_axes } => Bounds::about_origin(*half_axes),
             Self::Cuboid { half_sides } => Bounds::about_origin(*half_sides),
             Self::Revolution { profile } => profile.bounds(),
-            Self::Union { of } => return all(of, Bounds::merged),
+            // A fillet fills a corner between parts; it stays within the box about them.
+            Self::Union { of } | Self::Blend { of, .. } => return all(of, Bounds::merged),
             Self::Intersection { of } => return all(of, Bounds::common),
             Self::Difference { of, .. } | Self::Shell { of, .. } => {
                 return of.bounds_within(distance);

@@ -127,6 +127,9 @@ impl Shape {
             Self::Union { of } => parts("union", of),
             Self::Intersection { of } => parts("intersection", of),
             Self::Difference { of, minus } => of.validate().and_then(|()| minus.validate()),
+            Self::Blend { radius, of } => {
+                positive("radius of the blend", *radius).and_then(|()| parts("blend", of))
+            }
             Self::Translated { by, of } => finite("translation", *by).and_then(|()| of.validate()),
             Self::Rotated { of, .. } => of.validate(),
             Self::Mirrored { point, of, .. } => {

@@ -69,6 +69,34 @@ fn the_seam_of_flush_parts_is_not_felt() {
 }
 
 #[test]
+fn a_fillet_is_felt_by_what_fits_in_and_its_faces_by_what_does_not() {
+    let corner = Shape::Blend {
+        radius: 0.1,
+        of: vec![
+            cuboid([-1.0, -1.0, -0.1], [1.0, 1.0, 0.0]),
+            cuboid([0.9, -1.0, -0.1], [1.0, 1.0, 1.0]),
+        ],
+    };
+    let diagonal = 0.5_f64.sqrt();
+    // The center of the fillet is 0.1 from both; this is halfway between it and the fillet.
+    let half = 0.05 * diagonal;
+    let between = [0.8 + half, 0.0, 0.1 - half];
+    assert_felt(
+        &corner,
+        between,
+        0.06,
+        &[(0.05, [-diagonal, 0.0, diagonal])],
+    );
+    assert_felt(
+        &corner,
+        [0.79, 0.0, 0.105],
+        0.12,
+        &[(0.105, [0.0, 0.0, 1.0]), (0.11, [-1.0, 0.0, 0.0])],
+    );
+    assert_felt(&corner, [0.5, 0.0, 0.05], 0.06, &[(0.05, [0.0, 0.0, 1.0])]);
+}
+
+#[test]
 fn a_part_inside_another_is_not_felt() {
     let shape = Shape::Union {
         of: vec![

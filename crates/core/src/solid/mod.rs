@@ -5,6 +5,7 @@
 //! In a corner it touches two faces at once, and at a sharp edge the edge itself.
 //! A place is touched where the surface is nearer to the center than everywhere about it.
 
+mod blended;
 mod carved;
 mod face;
 mod grown;
@@ -19,6 +20,7 @@ mod turned;
 pub use touches::{MOST_TOUCHES, Touches};
 
 use crate::{Profile, Shape, Vec3};
+use blended::Blended;
 use carved::Carved;
 use similarity::Similarity;
 use together::Together;
@@ -42,6 +44,8 @@ enum Part {
     Grown { by: f64, of: Box<Part> },
     /// Parts together.
     Together(Together),
+    /// Parts joined by a fillet.
+    Blended(Blended),
     /// With edges where its faces meet.
     Carved(Carved),
 }
@@ -72,6 +76,7 @@ impl Part {
         match shape {
             Shape::Revolution { profile } => Self::Turned(profile.clone()),
             Shape::Union { of } => Self::Together(Together::new(of)),
+            Shape::Blend { of, .. } => Self::Blended(Blended::new(shape, of)),
             Shape::Intersection { .. } | Shape::Difference { .. } | Shape::Shell { .. } => {
                 Self::Carved(Carved::new(shape))
             }
@@ -110,7 +115,7 @@ impl Part {
         match self {
             Self::Single(_) => false,
             Self::Placed { of, .. } => of.is_touched_at_many(),
-            Self::Turned(_) | Self::Grown { .. } | Self::Together(_) | Self::Carved(_) => true,
+            _ => true,
         }
     }
 
@@ -127,6 +132,7 @@ impl Part {
             }
             Self::Grown { by, of } => grown::offer(*by, of, center, touches),
             Self::Together(parts) => parts.offer(center, touches),
+            Self::Blended(blended) => blended.offer(center, touches),
             Self::Carved(carved) => carved.offer(center, touches),
         }
     }

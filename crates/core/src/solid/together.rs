@@ -4,9 +4,9 @@ use super::{Part, Touches};
 use crate::{Bounds, Shape, Surface, Vec3};
 
 /// How far out of the surface a touched place must be clear of the other parts, over the radius of the ball [-].
-const CLEARANCE: f64 = 1.0e-3;
+pub(super) const CLEARANCE: f64 = 1.0e-3;
 /// Share of that by which another part may be nearer: it is then as near by rounding alone [-].
-const ROUNDING: f64 = 1.0e-6;
+pub(super) const ROUNDING: f64 = 1.0e-6;
 
 /// Parts together.
 #[derive(Debug, Clone, PartialEq)]

@@ -52,7 +52,10 @@ impl Mesh {
                     turned::mesh(&turned::plate_outline(corners, *thickness))
                 }
             },
-            Shape::Union { of } => of.iter().map(|part| Self::of(part, bounds)).collect(),
+            // Fillets are not drawn.
+            Shape::Union { of } | Shape::Blend { of, .. } => {
+                of.iter().map(|part| Self::of(part, bounds)).collect()
+            }
             Shape::Intersection { of } => cut::intersection(of, &shape.bounds().common(bounds)),
             Shape::Difference { of, minus } => {
                 cut::difference(of, minus, &shape.bounds().common(bounds))

@@ -167,6 +167,11 @@ const PLACED: &[(&str, [f64; 3], [f64; 3])] = &[
         [0.0, 0.0, 1.0],
     ),
     (
+        "{ kind = \"blend\", radius = \"20 mm\", of = [{ kind = \"sphere\", center = [0, 0, 1], radius = 1 }] }",
+        [1.0, 0.0, 1.0],
+        [1.0, 0.0, 0.0],
+    ),
+    (
         "{ kind = \"shell\", thickness = 0.2, of = { kind = \"sphere\", center = [0, 0, 1], radius = 1 } }",
         [0.8, 0.0, 1.0],
         [-1.0, 0.0, 0.0],

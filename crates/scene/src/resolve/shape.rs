@@ -32,6 +32,10 @@ impl Resolver<'_> {
                 of: Box::new(self.shape(of, &path.key("of"))),
                 minus: Box::new(self.shape(minus, &path.key("minus"))),
             },
+            SolidSpec::Blend { of, radius } => Shape::Blend {
+                radius: radius.0,
+                of: self.parts(of, path),
+            },
             SolidSpec::Mirror {
                 of,
                 point: at,
@@ -150,6 +154,7 @@ impl Resolver<'_> {
             SolidSpec::Union { .. }
             | SolidSpec::Intersection { .. }
             | SolidSpec::Difference { .. }
+            | SolidSpec::Blend { .. }
             | SolidSpec::Mirror { .. }
             | SolidSpec::Scale { .. }
             | SolidSpec::Offset { .. }

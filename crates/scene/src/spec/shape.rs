@@ -145,6 +145,14 @@ pub(crate) enum SolidSpec {
         /// What is taken away.
         minus: Box<ShapeSpec>,
     },
+    /// All of several shapes together, with a fillet in the corners where they meet.
+    Blend {
+        /// The parts.
+        #[schemars(extend("minItems" = 1))]
+        of: Vec<ShapeSpec>,
+        /// Radius of the fillets [m].
+        radius: Size,
+    },
     /// A shape seen in a plane mirror.
     Mirror {
         /// What is mirrored.

@@ -83,6 +83,15 @@ fn combinations() -> Vec<Row> {
             },
             true,
         ),
+        ("blend of planes", blend_of_planes(), true),
+        (
+            "blend of a box and a plane",
+            Shape::Blend {
+                radius: 0.3,
+                of: vec![cuboid(), plane(Vec3::new(0.1, 0.2, 1.0))],
+            },
+            false,
+        ),
         (
             "intersection",
             Shape::Intersection {
@@ -160,6 +169,23 @@ fn placements() -> Vec<Row> {
             true,
         ),
     ]
+}
+
+fn plane(normal: Vec3) -> Shape {
+    Shape::HalfSpace {
+        point: Vec3::new(0.1, 0.0, -0.2),
+        normal: nalgebra::Unit::new_normalize(normal),
+    }
+}
+
+fn blend_of_planes() -> Shape {
+    Shape::Blend {
+        radius: 0.5,
+        of: vec![
+            plane(Vec3::new(1.0, 0.3, 0.0)),
+            plane(Vec3::new(-0.2, 0.2, 1.0)),
+        ],
+    }
 }
 
 fn turn() -> UnitQuaternion<f64> {
