@@ -125,7 +125,8 @@ fn a_flat_silo_discharges_by_beverloos_law() {
 #[test]
 #[ignore = "several minutes in release; `cargo xtask verify` runs it"]
 fn beverloos_law_holds_over_sizes_of_the_orifice() {
-    for diameters in [5.0, 6.0, 8.0, 10.0] {
+    // Below six diameters a flow falters, and Beverloo's rule promises too much.
+    for diameters in [6.0, 8.0, 10.0] {
         held(
             "flows",
             &format!("the same through {diameters} diameters"),

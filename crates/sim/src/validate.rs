@@ -188,6 +188,17 @@ impl Mistakes {
                     "is not finite; expected three numbers in m/s",
                 );
             }
+            if wall.surface_velocity != Vec3::zeros()
+                && let Some(kind) = wall.shape.curved_part()
+            {
+                self.add(
+                    key("surface_velocity"),
+                    format!(
+                        "moves the surface of a {kind} along one straight line; expected a belt of plane faces, such as a box or \
+                         a plate; let a round wall turn by `motion`, and make a pulley a wall of its own"
+                    ),
+                );
+            }
             if !wall.schedule.changes().is_sorted_by(|a, b| a < b) {
                 self.add(
                     key("schedule"),

@@ -10,6 +10,7 @@ mod cone;
 mod cuboid;
 mod cylinder;
 mod ellipsoid;
+mod flatness;
 mod half_space;
 pub(crate) mod offset;
 mod placement;
