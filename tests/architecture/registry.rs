@@ -58,7 +58,7 @@ const FAMILIES: [Family; 5] = [
         table: "mod.rs",
         registry: "registry! {",
         filed_under: &[],
-        shared: &["mod", "contract", "patch", "registry", "touch"],
+        shared: &["mod", "contract", "patch", "registry", "sample", "touch"],
     },
 ];
 

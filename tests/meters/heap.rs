@@ -2,8 +2,8 @@
 
 use super::common::{GRAVITY, RADIUS, held, one, setup, simulation, smooth};
 use super::{meter, value};
-use pelletflow::core::{Shape, Vec3};
-use pelletflow::sim::{Fill, FillAmount, Heap, Meter, MeterKind, Seats};
+use pelletflow::core::Vec3;
+use pelletflow::sim::{Fill, Heap, Meter, MeterKind, Seats};
 use std::f64::consts::TAU;
 
 /// A meter of a heap about the vertical through a point of the ground.
@@ -51,37 +51,42 @@ fn the_angle_of_a_cone_of_placed_pellets_is_that_of_the_cone() {
 }
 
 #[test]
-fn the_angle_of_a_cone_filled_at_random_is_that_of_the_cone_within_its_scatter() {
-    let angle = 32.0_f64.to_radians();
-    let height = 0.16;
+fn the_angle_of_a_cone_of_stacked_pellets_is_that_of_the_cone_within_its_scatter() {
+    let slope = 32.0_f64.to_radians().tan();
+    let (tip, spacing) = (0.25, 2.1 * RADIUS);
+    let steps = (tip / slope / spacing) as i32;
+    let mut places = Vec::new();
+    for x in -steps..steps {
+        for y in -steps..steps {
+            for z in 0..steps {
+                // Off the axis, so that the sectors differ.
+                let place =
+                    spacing * Vec3::new(f64::from(x) + 0.3, f64::from(y) + 0.2, f64::from(z) + 0.5);
+                if place.z + RADIUS < tip - slope * place.x.hypot(place.y) {
+                    places.push(place);
+                }
+            }
+        }
+    }
     let mut setup = setup(smooth(0.5), smooth(0.5));
     setup.gravity = GRAVITY;
     setup.fills = vec![Fill {
-        seats: Seats::Lattice {
-            region: Shape::Cone {
-                lower_radius: height / angle.tan(),
-                upper_radius: 1.0e-3,
-                half_length: height / 2.0,
-            }
-            .translated(height / 2.0 * Vec3::z()),
-            amount: FillAmount::Count(2000),
-        },
+        seats: Seats::Points(places),
         ..one("cone", Vec3::zeros(), Vec3::zeros())
     }];
     setup.meters = heap(Vec3::zeros());
     let simulation = simulation(setup);
     assert_eq!(value(&simulation, "sectors"), 12.0);
-    let (found, scatter) = (
-        value(&simulation, "angle_deg"),
-        value(&simulation, "scatter_deg"),
-    );
     // The mean of twelve sectors, to three of its deviations.
-    let margin = 3.0 * scatter / 12.0_f64.sqrt();
-    assert!(margin < 3.0, "the sectors scatter by {scatter}°");
+    let margin = 3.0 * value(&simulation, "scatter_deg") / 12.0_f64.sqrt();
+    assert!(
+        margin < 0.5,
+        "the mean of the sectors is uncertain by {margin}°"
+    );
     held(
         "meters",
-        "angle of a cone filled at random",
-        found / 32.0 - 1.0,
+        "angle of a cone of stacked pellets",
+        value(&simulation, "angle_deg") / 32.0 - 1.0,
         margin / 32.0,
         "32°, within three deviations of the mean of twelve sectors",
     );

@@ -1,11 +1,15 @@
 //! Angle of repose of a heap, from the profile of its surface.
 //!
 //! The profile method, one of those that Al-Hashemi & Al-Amoudi (2018) compare: the free surface is cut by radial
-//! profiles, each is fitted by a straight line, and the slope of the line is the angle. Here a profile is a sector of
-//! azimuth; in it the highest pellet of each ring, one largest diameter wide, marks the surface with the top of it.
+//! profiles, each is fitted by a straight line, and the slope of the line is the angle. The surface is marked by the top
+//! of the highest pellet in each upright column, one largest diameter wide: columns of one width everywhere, because the
+//! highest of many pellets lies nearer to the surface than the highest of few. A profile is a sector of azimuth.
 //! The rounded tip and the scattered toe are left out: the line goes through the part between a fifth and four fifths of
-//! the profile's height. The angle is the mean over the sectors, and its scatter their standard deviation.
+//! the way to the foot. That is twice the mean distance from the axis, weighed by height, as in a cone; chosen by distance
+//! and not by height, because a choice by what scatters would flatten the line.
+//! The angle is the mean over the sectors, and its scatter their standard deviation.
 
+use super::sample::Sample;
 use super::{Instrument, Values};
 use crate::model::Model;
 use crate::setup::Setup;
@@ -17,10 +21,10 @@ use std::ops::Range;
 
 /// Profiles about the axis [-].
 const SECTORS: usize = 12;
-/// Part of a profile's height that is fitted [-].
+/// Part of the way from the axis to the foot that is fitted [-].
 const FLANK: Range<f64> = 0.2..0.8;
-/// Fewest rings that a line is fitted to [-].
-const FEWEST_RINGS: usize = 3;
+/// Fewest columns that a line is fitted to [-].
+const FEWEST_COLUMNS: usize = 5;
 
 /// Angle of repose of a heap.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,43 +35,53 @@ pub struct Heap {
     pub up: UnitVector3<f64>,
 }
 
-/// A point of the surface: distance from the axis and height over the ground [m].
+/// A point of the surface: where it is seen from above, and its height over the ground [m].
 #[derive(Debug, Clone, Copy)]
 struct Top {
-    radius: f64,
+    east: f64,
+    north: f64,
     height: f64,
 }
 
+impl Top {
+    /// Distance from the axis [m].
+    fn radius(&self) -> f64 {
+        self.east.hypot(self.north)
+    }
+
+    fn sector(&self) -> usize {
+        let turn = (self.north.atan2(self.east) / TAU).rem_euclid(1.0);
+        ((turn * SECTORS as f64) as usize).min(SECTORS - 1)
+    }
+}
+
 impl Heap {
-    /// The surface in each sector, ring by ring.
-    fn profiles(&self, model: &Model, state: &State) -> Vec<Vec<Top>> {
-        let ring_width = model.largest_diameter();
-        let pellets = &state.pellets;
+    /// The surface, column by column.
+    fn surface(&self, model: &Model, state: &State) -> Vec<Top> {
+        let width = model.largest_diameter();
         // A pellet that has fallen by half a diameter or more is not part of the surface.
-        let speed_squared = model.setup().gravity.norm() * ring_width;
+        let speed_squared = model.setup().gravity.norm() * width;
         let east = any_normal_to(self.up);
         let north = self.up.cross(&east);
-        let mut profiles = vec![BTreeMap::<usize, Top>::new(); SECTORS];
+        let mut columns = BTreeMap::<[i64; 2], Top>::new();
+        let pellets = &state.pellets;
         for (position, velocity) in pellets.position.iter().zip(&pellets.velocity) {
             if vector(velocity).norm_squared() > speed_squared {
                 continue;
             }
             let arm = vector(position) - self.point;
-            let (x, y) = (arm.dot(&east), arm.dot(&north));
             let top = Top {
-                radius: x.hypot(y),
+                east: arm.dot(&east),
+                north: arm.dot(&north),
                 height: arm.dot(&self.up) + position[3],
             };
-            let turn = (y.atan2(x) / TAU).rem_euclid(1.0);
-            let sector = ((turn * SECTORS as f64) as usize).min(SECTORS - 1);
-            let ring = profiles[sector].entry((top.radius / ring_width) as usize);
-            let highest = ring.or_insert(top);
+            let column = [top.east, top.north].map(|place| (place / width).floor() as i64);
+            let highest = columns.entry(column).or_insert(top);
             if top.height > highest.height {
                 *highest = top;
             }
         }
-        let surface = |rings: BTreeMap<usize, Top>| rings.into_values().collect();
-        profiles.into_iter().map(surface).collect()
+        columns.into_values().collect()
     }
 }
 
@@ -79,29 +93,31 @@ fn any_normal_to(direction: UnitVector3<f64>) -> Vec3 {
     direction.cross(&other).normalize()
 }
 
-/// Angle of a profile's flank [rad], falling outward; nothing where too few rings show it.
+/// Angle of a profile's flank [rad], falling outward; nothing where too few columns show it.
 fn slope(profile: &[Top]) -> Option<f64> {
-    let height = greatest_height(profile);
-    let flank: Vec<&Top> = profile
+    let (mut weight, mut moment) = (0.0, 0.0);
+    for top in profile {
+        weight += top.height;
+        moment += top.height * top.radius();
+    }
+    let foot = 2.0 * moment / weight;
+    let flank: Vec<(f64, f64)> = profile
         .iter()
-        .filter(|top| FLANK.contains(&(top.height / height)))
+        .map(|top| (top.radius(), top.height))
+        .filter(|(radius, _)| FLANK.contains(&(radius / foot)))
         .collect();
-    if flank.len() < FEWEST_RINGS {
+    if flank.len() < FEWEST_COLUMNS {
         return None;
     }
     let count = flank.len() as f64;
-    let mean_radius = flank.iter().map(|top| top.radius).sum::<f64>() / count;
-    let mean_height = flank.iter().map(|top| top.height).sum::<f64>() / count;
+    let mean_radius = flank.iter().map(|(radius, _)| radius).sum::<f64>() / count;
+    let mean_height = flank.iter().map(|(_, height)| height).sum::<f64>() / count;
     let (mut square, mut product) = (0.0, 0.0);
-    for top in flank {
-        square += (top.radius - mean_radius).powi(2);
-        product += (top.radius - mean_radius) * (top.height - mean_height);
+    for (radius, height) in flank {
+        square += (radius - mean_radius).powi(2);
+        product += (radius - mean_radius) * (height - mean_height);
     }
     (square > 0.0).then(|| (-product / square).atan())
-}
-
-fn greatest_height(profile: &[Top]) -> f64 {
-    profile.iter().map(|top| top.height).fold(0.0, f64::max)
 }
 
 impl Instrument for Heap {
@@ -114,24 +130,19 @@ impl Instrument for Heap {
     }
 
     fn values(&self, (): &(), model: &Model, state: &State) -> Values {
-        let profiles = self.profiles(model, state);
-        let angles: Vec<f64> = profiles
-            .iter()
-            .filter_map(|profile| slope(profile))
-            .collect();
-        let count = angles.len();
-        let mean = angles.iter().sum::<f64>() / count.max(1) as f64;
-        let squares: f64 = angles.iter().map(|angle| (angle - mean).powi(2)).sum();
-        let scatter = (squares / (count.max(2) - 1) as f64).sqrt();
-        let height = profiles
-            .iter()
-            .map(|profile| greatest_height(profile))
-            .fold(0.0, f64::max);
+        let mut profiles = vec![Vec::new(); SECTORS];
+        let mut greatest_height: f64 = 0.0;
+        for top in self.surface(model, state) {
+            profiles[top.sector()].push(top);
+            greatest_height = greatest_height.max(top.height);
+        }
+        let slopes = profiles.iter().filter_map(|profile| slope(profile));
+        let angles = Sample::new(slopes.map(f64::to_degrees).collect());
         vec![
-            ("angle_deg", mean.to_degrees()),
-            ("scatter_deg", scatter.to_degrees()),
-            ("sectors", count as f64),
-            ("height_m", height),
+            ("angle_deg", angles.mean()),
+            ("scatter_deg", angles.deviation()),
+            ("sectors", angles.count() as f64),
+            ("height_m", greatest_height),
         ]
     }
 }

@@ -1,6 +1,6 @@
 //! Meters: what an engineer would read on site.
 //!
-//! To add one: write its file with an [`Instrument`], then add its module and its row to the table below,
+//! To add one: write its file with an `Instrument`, then add its module and its row to the table below,
 //! and a sample to `contract.rs`; the contract tests then loop over it.
 //!
 //! A step is watched after it is done, by one thread and in a fixed order, so that no reading depends on the threads.
@@ -13,6 +13,7 @@ mod plane_flow;
 mod region;
 mod registry;
 mod residence;
+mod sample;
 mod touch;
 mod wall_force;
 mod wall_impacts;

@@ -58,11 +58,11 @@ impl Instrument for Region {
         }
         let per_mass = if mass > 0.0 { 1.0 / mass } else { 0.0 };
         let mean = per_mass * momentum;
-        let squares: f64 = inside()
-            .map(|index| {
-                pellets.mass(index) * (vector(&pellets.velocity[index]) - mean).norm_squared()
-            })
-            .sum();
+        let mut squares = 0.0;
+        for index in inside() {
+            let deviation = vector(&pellets.velocity[index]) - mean;
+            squares += pellets.mass(index) * deviation.norm_squared();
+        }
         let volume = (self.bounds.max - self.bounds.min).product();
         vec![
             ("bulk_density_kg_per_m3", mass / volume),

@@ -1,6 +1,6 @@
 //! The table of meters made into enums: what each measures, what it has gathered, and who does it.
 
-/// Declares [`MeterKind`](super::MeterKind) and `Record` from rows such as `MassFlow in mass_flow,`.
+/// Declares `MeterKind` and `Record` from rows such as `MassFlow in mass_flow,`.
 macro_rules! registry {
     ($($(#[$doc:meta])* $meter:ident in $file:ident,)*) => {
         $(pub use $file::$meter;)*

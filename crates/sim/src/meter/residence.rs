@@ -1,5 +1,6 @@
 //! How long pellets stay: from when they came to when they left through an outlet.
 
+use super::sample::Sample;
 use super::{Instrument, Values};
 use crate::model::Model;
 use crate::state::State;
@@ -16,6 +17,13 @@ pub(super) fn age(model: &Model, state: &State, index: usize) -> f64 {
     (state.step - state.pellets.born[index]) as f64 * model.time_step().seconds
 }
 
+/// Mean time that the pellets inside have been there; 0 of none [s].
+fn mean_age(model: &Model, state: &State) -> f64 {
+    let born = &state.pellets.born;
+    let steps: u64 = born.iter().map(|born| state.step - born).sum();
+    steps as f64 * model.time_step().seconds / born.len().max(1) as f64
+}
+
 impl Instrument for Residence {
     /// Times that those that left were inside, in the order of leaving [s].
     type Record = Vec<f64>;
@@ -27,69 +35,17 @@ impl Instrument for Residence {
     }
 
     fn values(&self, record: &Vec<f64>, model: &Model, state: &State) -> Values {
-        let mut times = record.clone();
-        times.sort_unstable_by(f64::total_cmp);
-        let mean = mean(times.iter().copied());
-        let deviation = deviation(&times, mean);
-        let inside = state.pellets.len();
+        let times = Sample::new(record.clone());
         vec![
-            ("mean_s", mean),
-            ("deviation_s", deviation),
-            ("min_s", quantile(&times, 0.0)),
-            ("percentile_5_s", quantile(&times, 0.05)),
-            ("median_s", quantile(&times, 0.5)),
-            ("percentile_95_s", quantile(&times, 0.95)),
-            ("max_s", quantile(&times, 1.0)),
-            ("pellets", times.len() as f64),
-            (
-                "mean_age_inside_s",
-                self::mean((0..inside).map(|index| age(model, state, index))),
-            ),
+            ("mean_s", times.mean()),
+            ("deviation_s", times.deviation()),
+            ("min_s", times.quantile(0.0)),
+            ("percentile_5_s", times.quantile(0.05)),
+            ("median_s", times.quantile(0.5)),
+            ("percentile_95_s", times.quantile(0.95)),
+            ("max_s", times.quantile(1.0)),
+            ("pellets", times.count() as f64),
+            ("mean_age_inside_s", mean_age(model, state)),
         ]
-    }
-}
-
-/// Mean; 0 of nothing.
-fn mean(values: impl ExactSizeIterator<Item = f64>) -> f64 {
-    let count = values.len().max(1);
-    values.sum::<f64>() / count as f64
-}
-
-/// Standard deviation of a sample; 0 of fewer than two.
-fn deviation(times: &[f64], mean: f64) -> f64 {
-    let squares: f64 = times.iter().map(|time| (time - mean).powi(2)).sum();
-    (squares / (times.len().max(2) - 1) as f64).sqrt()
-}
-
-/// The value below which a share of sorted values lies, between two of them in proportion; 0 of nothing.
-fn quantile(sorted: &[f64], share: f64) -> f64 {
-    let Some(last) = sorted.len().checked_sub(1) else {
-        return 0.0;
-    };
-    let place = share * last as f64;
-    let below = sorted[place as usize];
-    let above = sorted[(place as usize + 1).min(last)];
-    below + place.fract() * (above - below)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn quantiles_of_a_ramp_are_its_places() {
-        let ramp: Vec<f64> = (0..=100).map(f64::from).collect();
-        for (share, expected) in [(0.0, 0.0), (0.05, 5.0), (0.505, 50.5), (1.0, 100.0)] {
-            // Rounding of the place.
-            assert!((quantile(&ramp, share) - expected).abs() < 1.0e-12);
-        }
-        assert_eq!(quantile(&[], 0.5), 0.0);
-        assert_eq!(quantile(&[3.0], 0.95), 3.0);
-    }
-
-    #[test]
-    fn the_deviation_of_one_to_five_is_the_root_of_two_and_a_half() {
-        let deviation = deviation(&[1.0, 2.0, 3.0, 4.0, 5.0], 3.0);
-        assert!((deviation - 2.5_f64.sqrt()).abs() < 1.0e-15);
     }
 }

@@ -36,7 +36,7 @@ impl Instrument for WallForce {
             let moment = (touch.point - self.about).cross(&touch.force.force);
             moment + touch.force.turning_torque
         });
-        *record = -torques.sum::<Vec3>();
+        *record = torques.fold(Vec3::zeros(), |sum, torque| sum - torque);
     }
 
     fn values(&self, torque: &Vec3, _model: &Model, state: &State) -> Values {
