@@ -3,11 +3,12 @@
 use crate::sources::{entries, read, root};
 use std::collections::BTreeSet;
 
-/// A family: the folder of its files, and the enum whose variants are its rows.
+/// A family: the folder of its files, and the table whose lines are its rows.
 struct Family {
     folder: &'static str,
-    /// The file of the enums, from the folder.
+    /// The file of the table, from the folder.
     table: &'static str,
+    /// The line that begins the table: of an enum, or of a macro that makes one.
     registry: &'static str,
     /// Variants that share a file or name it by its subject.
     filed_under: &'static [(&'static str, &'static str)],
@@ -15,11 +16,11 @@ struct Family {
     shared: &'static [&'static str],
 }
 
-const FAMILIES: [Family; 4] = [
+const FAMILIES: [Family; 5] = [
     Family {
         folder: "crates/core/src/shape",
         table: "mod.rs",
-        registry: "Shape",
+        registry: "pub enum Shape {",
         filed_under: &[
             ("Union", "combination"),
             ("Intersection", "combination"),
@@ -34,23 +35,30 @@ const FAMILIES: [Family; 4] = [
     Family {
         folder: "crates/core/src/contact/normal",
         table: "../laws.rs",
-        registry: "NormalLaw",
+        registry: "pub enum NormalLaw {",
         filed_under: &[],
         shared: &["mod"],
     },
     Family {
         folder: "crates/core/src/contact/tangential",
         table: "../laws.rs",
-        registry: "TangentialLaw",
+        registry: "pub enum TangentialLaw {",
         filed_under: &[],
         shared: &["mod"],
     },
     Family {
         folder: "crates/core/src/contact/turning",
         table: "../laws.rs",
-        registry: "TurningLaw",
+        registry: "pub enum TurningLaw {",
         filed_under: &[],
         shared: &["mod"],
+    },
+    Family {
+        folder: "crates/sim/src/meter",
+        table: "mod.rs",
+        registry: "registry! {",
+        filed_under: &[],
+        shared: &["mod", "contract", "patch", "registry", "sample", "touch"],
     },
 ];
 
@@ -81,17 +89,17 @@ impl Family {
     }
 }
 
-/// Names of the variants of a public enum.
+/// Names of the variants in a table.
 fn variants(text: &str, registry: &str) -> Vec<String> {
-    let heading = format!("pub enum {registry} {{");
     let names: Vec<String> = text
         .lines()
-        .skip_while(|line| *line != heading)
+        .skip_while(|line| *line != registry)
         .skip(1)
         .take_while(|line| *line != "}")
         .filter_map(|line| line.strip_prefix("    "))
         .filter(|line| line.starts_with(|first: char| first.is_ascii_uppercase()))
-        .map(|line| line.trim_end_matches([' ', '{', ',']).to_owned())
+        .filter_map(|line| line.split([' ', '{', ',']).next())
+        .map(str::to_owned)
         .collect();
     assert!(!names.is_empty(), "{registry} has no variants");
     names

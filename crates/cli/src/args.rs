@@ -78,6 +78,7 @@ Writes into the directory:
   summary.json  the run in numbers, each key with its unit
   scene.toml    the scene as it was run, with every --set in it
   layout.json   what Foxglove and Lichtblick show, to be opened there beside the recording
+  meters/       a table of patches for each meter that keeps them: `wall-impacts`, `wear`
 
 Examples:
   pelletflow run hopper.toml

@@ -12,6 +12,7 @@ mod inspect;
 mod layout;
 mod message;
 mod output;
+mod patches;
 pub mod plot;
 mod recording;
 mod records;
@@ -25,7 +26,7 @@ pub use inspect::{AttachmentInspection, ChannelInspection, Inspection, inspect};
 pub use plot::{Axis, Chart, ChartError, Scale, Series, SeriesStyle};
 pub use run::{Progress, RunRequest, run};
 pub use summary::{
-    BodySummary, ContactSummary, Ended, EnergySummary, MassSummary, MeterSummary,
+    BodySummary, ContactSummary, Ended, EnergySummary, MassSummary, MeterSummary, PatchSummary,
     PerformanceSummary, SkippedSummary, Summary, TallySummary, TimeSummary,
 };
 pub use surface::Mesh;

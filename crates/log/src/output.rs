@@ -37,6 +37,14 @@ impl Output {
         fs::write(&path, text).map_err(|source| RunError::output(&path, source))
     }
 
+    /// Writes a file of a folder within, which is made where it does not exist.
+    pub(crate) fn write_in(&self, folder: &str, name: &str, text: &str) -> Result<(), RunError> {
+        let folder = self.path(folder);
+        fs::create_dir_all(&folder).map_err(|source| RunError::output(&folder, source))?;
+        let path = folder.join(name);
+        fs::write(&path, text).map_err(|source| RunError::output(&path, source))
+    }
+
     pub(crate) fn file(&self, name: &str) -> Result<BufWriter<File>, RunError> {
         let path = self.path(name);
         let file = File::create(&path).map_err(|source| RunError::output(&path, source))?;

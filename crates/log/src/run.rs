@@ -4,6 +4,7 @@ use crate::course::{Course, Stop};
 use crate::error::RunError;
 use crate::layout::layout;
 use crate::output::Output;
+use crate::patches;
 use crate::recording::{Recording, Title};
 use crate::summary::{Ended, RunFacts, Summary};
 use mcap::McapError;
@@ -52,7 +53,8 @@ pub struct Progress {
     pub discharged: u64,
 }
 
-/// Drives a simulation to its end, and writes `scene.toml`, `layout.json`, `run.mcap` and `summary.json`.
+/// Drives a simulation to its end, and writes `scene.toml`, `layout.json`, `run.mcap` and `summary.json`, and
+/// `meters/NAME.csv` for every meter that keeps patches of a wall.
 ///
 /// The observer is called about every 20 ms; the run stops when it breaks.
 /// However the run ends, the recording is finished and a summary is written.
@@ -75,6 +77,7 @@ pub fn run(
     let output = Output::create(request.directory)?;
     output.write("scene.toml", request.scene_text)?;
     output.write("layout.json", &layout)?;
+    patches::write(&output, simulation)?;
     let recording = output.path("run.mcap");
     let in_recording = |error: McapError| RunError::output(&recording, as_io(error));
 
@@ -108,7 +111,7 @@ pub fn run(
             failure,
         },
     );
-    let written = output.write_summary(&summary);
+    let written = patches::write(&output, simulation).and_then(|()| output.write_summary(&summary));
     match outcome {
         Err(Stop::Physics(error)) => Err(RunError::Physics {
             error,

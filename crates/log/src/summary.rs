@@ -1,7 +1,8 @@
 //! `summary.json`: a run in numbers.
 
 use crate::message::series;
-use pelletflow_sim::{MassLedger, Setup, Simulation, Skipped};
+use crate::patches;
+use pelletflow_sim::{MassLedger, PatchTable, Setup, Simulation, Skipped};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fs;
@@ -180,7 +181,13 @@ pub struct MeterSummary {
     /// Quantities, each with its unit in the name.
     #[serde(flatten)]
     pub values: BTreeMap<String, f64>,
+    /// The worst patches of the wall, each with its place, where the meter keeps patches.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub worst: Vec<PatchSummary>,
 }
+
+/// What one patch of a wall received, each quantity with its unit in the name.
+pub type PatchSummary = BTreeMap<String, f64>;
 
 /// A number of pellets and their mass.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -301,6 +308,7 @@ fn skipped(skipped: Skipped) -> SkippedSummary {
 }
 
 fn meters(simulation: &Simulation) -> BTreeMap<String, MeterSummary> {
+    let tables: BTreeMap<String, PatchTable> = simulation.patch_tables().into_iter().collect();
     simulation
         .meter_readings()
         .into_iter()
@@ -312,6 +320,9 @@ fn meters(simulation: &Simulation) -> BTreeMap<String, MeterSummary> {
                     .iter()
                     .map(|(quantity, value)| ((*quantity).into(), *value))
                     .collect(),
+                worst: tables
+                    .get(&reading.name)
+                    .map_or_else(Vec::new, patches::worst),
             };
             (reading.name, summary)
         })

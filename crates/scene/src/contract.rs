@@ -1,6 +1,7 @@
 //! What scenes promise: every mistake is found, named and put to its line.
 
 mod good;
+mod meters;
 mod mistakes;
 
 use crate::draft::Draft;

@@ -103,6 +103,8 @@ quantities! {
     Velocity: Speed, Any;
     /// A speed [m/s].
     Speed: Speed, Positive;
+    /// A speed that may be nothing [m/s].
+    SpeedBound: Speed, NotNegative;
     /// An acceleration along an axis [m/s²].
     Acceleration: Acceleration, Any;
     /// A density [kg/m³].
@@ -121,6 +123,8 @@ quantities! {
     Stiffness: Stiffness, Positive;
     /// An energy per area [J/m²].
     SurfaceEnergy: SurfaceEnergy, Positive;
+    /// A volume worn off over energy [1/Pa].
+    WearCoefficient: Compliance, Positive;
     /// A share of a whole [-].
     Share: Share, Positive;
     /// A share of a whole that may be nothing [-].

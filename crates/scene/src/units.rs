@@ -34,6 +34,8 @@ pub enum Kind {
     Stiffness,
     /// An energy per area.
     SurfaceEnergy,
+    /// An inverse pressure, as a volume worn off over energy.
+    Compliance,
     /// A share of a whole.
     Share,
 }
@@ -68,6 +70,7 @@ const KINDS: &[KindFacts] = &[
     KindFacts { kind: Kind::Force,        name: "force",        phrase: "a force",             si: "N",     example: "2 kN",        largest: 1.0e12 },
     KindFacts { kind: Kind::Stiffness,    name: "stiffness",    phrase: "a stiffness",         si: "N/m",   example: "200 kN/m",    largest: 1.0e13 },
     KindFacts { kind: Kind::SurfaceEnergy, name: "surface-energy", phrase: "a surface energy",  si: "J/m2",  example: "50 mJ/m2",    largest: 1.0e4 },
+    KindFacts { kind: Kind::Compliance,   name: "compliance",   phrase: "an inverse pressure", si: "1/Pa",  example: "1e-13 1/Pa",  largest: 1.0e-3 },
     KindFacts { kind: Kind::Share,        name: "share",        phrase: "a share",             si: "",      example: "0.1 %",       largest: 1.0e3 },
 ];
 
@@ -91,6 +94,7 @@ const UNITS: &[(&str, Kind, f64)] = &[
     ("N", Kind::Force, 1.0), ("kN", Kind::Force, 1.0e3), ("MN", Kind::Force, 1.0e6),
     ("N/m", Kind::Stiffness, 1.0), ("kN/m", Kind::Stiffness, 1.0e3), ("MN/m", Kind::Stiffness, 1.0e6), ("N/mm", Kind::Stiffness, 1.0e3),
     ("J/m2", Kind::SurfaceEnergy, 1.0), ("mJ/m2", Kind::SurfaceEnergy, 1.0e-3),
+    ("1/Pa", Kind::Compliance, 1.0), ("1/MPa", Kind::Compliance, 1.0e-6), ("1/GPa", Kind::Compliance, 1.0e-9), ("m3/J", Kind::Compliance, 1.0), ("mm3/J", Kind::Compliance, 1.0e-9),
     ("%", Kind::Share, 1.0e-2),
 ];
 
@@ -238,6 +242,7 @@ mod tests {
             ("10 rpm", Kind::TurnRate, TURN / 6.0),
             ("50 µm", Kind::Length, 50.0e-6),
             ("0.1 %", Kind::Share, 0.001),
+            ("2e-4 mm3/J", Kind::Compliance, 2.0e-13),
         ] {
             let (found, found_kind) = parse(text, &[kind]).expect(text);
             assert_eq!(found_kind, kind);

@@ -37,6 +37,7 @@ pub(crate) fn exchange(
             .position(|outlet| outlet.region.distance(position) < 0.0);
         if let Some(outlet) = outlet {
             leave(model, state, index);
+            meter::discharge(model, state, index);
             let mass = state.pellets.mass(index);
             state.books.by_outlet[outlet].add(mass);
         } else if model.setup().domain.bounds.contains(position) {

@@ -64,7 +64,7 @@ pub(crate) fn insert(model: &Model, state: &mut State, new: &NewPellet) {
     } else {
         setup.integrator.prediction(time_step) * setup.gravity
     };
-    state.pellets.push(id, new, behind);
+    state.pellets.push(id, state.step, new, behind);
     let (kinetic, potential) = energies(model, state, state.pellets.len() - 1);
     state.books.energy.carry(1.0, kinetic, potential);
     state.books.inserted.add(new.mass);

@@ -45,15 +45,18 @@ mod wall_contacts;
 pub use error::{SetupError, StepError};
 pub use integrator::Integrator;
 pub use ledger::{ContactStatistics, EnergyLedger, MassLedger, PelletTally};
-pub use meter::MeterReading;
+pub use meter::{
+    Heap, MassFlow, Meter, MeterKind, MeterReading, PatchTable, PlaneFlow, Region, Residence,
+    WallForce, WallImpacts, Wear,
+};
 pub use model::Model;
 pub use motion::Motion;
 pub use pellet::{PelletKind, PelletView};
 pub use plan::{RunPlan, StopCondition};
 pub use schedule::Schedule;
 pub use setup::{
-    Domain, Fill, FillAmount, Inlet, Limits, Meter, NamedMaterial, NeighborSearch, Outlet, Rate,
-    Seats, Setup, Skips,
+    Domain, Fill, FillAmount, Inlet, Limits, NamedMaterial, NeighborSearch, Outlet, Rate, Seats,
+    Setup, Skips,
 };
 pub use simulation::{Phase, Simulation, WallView};
 pub use size::SizeDistribution;

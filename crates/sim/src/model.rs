@@ -36,6 +36,8 @@ struct Derived {
     /// Of the walls, ready to be touched.
     solids: Vec<Solid>,
     holding_gap: f64,
+    /// Whether a meter watches the contacts with a wall, by wall.
+    watched_walls: Vec<bool>,
 }
 
 /// Extra reach of a neighbor list over the mean of the smallest and the largest diameter, where none is given [-].
@@ -160,6 +162,12 @@ impl Model {
         self.derived.holding_gap
     }
 
+    /// Whether a meter watches the contacts with a wall.
+    #[inline]
+    pub(crate) fn is_watched(&self, wall: usize) -> bool {
+        self.derived.watched_walls[wall]
+    }
+
     /// Greatest speed of any moving wall [m/s].
     pub(crate) fn greatest_wall_speed(&self) -> f64 {
         self.derived.greatest_wall_speed
@@ -204,6 +212,14 @@ impl Derived {
                 })
                 .collect(),
             holding_gap,
+            watched_walls: (0..setup.walls.len())
+                .map(|wall| {
+                    setup
+                        .meters
+                        .iter()
+                        .any(|meter| meter.kind.wall() == Some(wall))
+                })
+                .collect(),
             skin: setup.skin.unwrap_or(
                 SKIN_SHARE * f64::midpoint(smallest_diameter, largest_diameter) + holding_gap,
             ),

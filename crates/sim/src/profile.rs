@@ -10,15 +10,17 @@ pub(crate) enum Stage {
     Forces,
     Motion,
     Exchange,
+    Meters,
 }
 
 impl Stage {
-    pub(crate) const ALL: [Self; 5] = [
+    pub(crate) const ALL: [Self; 6] = [
         Self::Walls,
         Self::Search,
         Self::Forces,
         Self::Motion,
         Self::Exchange,
+        Self::Meters,
     ];
 
     pub(crate) fn name(self) -> &'static str {
@@ -28,6 +30,7 @@ impl Stage {
             Self::Forces => "forces",
             Self::Motion => "motion",
             Self::Exchange => "exchange",
+            Self::Meters => "meters",
         }
     }
 }

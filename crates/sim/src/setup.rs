@@ -1,6 +1,7 @@
 //! What a user asks for, in SI units and with names resolved to indices.
 
 use crate::integrator::Integrator;
+use crate::meter::Meter;
 use crate::motion::Motion;
 use crate::pellet::PelletKind;
 use crate::time_step::StepRequest;
@@ -130,35 +131,6 @@ pub struct Outlet {
     pub name: String,
     /// The region.
     pub region: Shape,
-}
-
-/// What is measured while the run goes on.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub enum Meter {
-    /// Mass discharged through one outlet, and its rate.
-    MassFlow {
-        /// Name in the scene.
-        name: String,
-        /// Index of the outlet [-].
-        outlet: usize,
-    },
-    /// Force of all pellets on one wall.
-    WallForce {
-        /// Name in the scene.
-        name: String,
-        /// Index of the wall [-].
-        wall: usize,
-    },
-}
-
-impl Meter {
-    /// Name in the scene.
-    pub fn name(&self) -> &str {
-        match self {
-            Self::MassFlow { name, .. } | Self::WallForce { name, .. } => name,
-        }
-    }
 }
 
 /// Where pellets may be; one that leaves without an outlet is lost, and the run has failed.

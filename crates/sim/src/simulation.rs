@@ -6,7 +6,7 @@ use crate::fill;
 use crate::hash;
 use crate::inlet;
 use crate::ledger::{ContactStatistics, EnergyLedger, MassLedger, PelletTally};
-use crate::meter::{self, MeterReading};
+use crate::meter::{self, MeterReading, PatchTable};
 use crate::model::Model;
 use crate::pellet::PelletView;
 use crate::profile::Stage;
@@ -66,6 +66,7 @@ impl Simulation {
         prescribe_walls(&model, 0.0, &mut workspace.walls);
         let mut state = State {
             books: Books::new(&model),
+            meters: meter::records(&model),
             ..State::default()
         };
         for pellet in fill::place(&model, &workspace.walls)? {
@@ -215,6 +216,11 @@ impl Simulation {
     /// What the meters read, in the order of the setup.
     pub fn meter_readings(&self) -> Vec<MeterReading> {
         meter::readings(&self.model, &self.state)
+    }
+
+    /// What each patch of a wall received so far, by name of the meter that keeps patches.
+    pub fn patch_tables(&self) -> Vec<(String, PatchTable)> {
+        meter::patch_tables(&self.model, &self.state)
     }
 
     /// Wall-clock time of each part of the step so far.

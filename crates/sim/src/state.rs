@@ -2,6 +2,7 @@
 
 use crate::books::Books;
 use crate::memory::ContactMemories;
+use crate::meter::Record;
 use pelletflow_core::Vec3;
 
 /// Three components and one companion, so that a pellet's share of an array is one half of a cache line.
@@ -36,6 +37,8 @@ pub struct State {
     pub steps_since_search: u64,
     /// Mass, energy and contacts so far.
     pub books: Books,
+    /// What each meter has gathered, in the order of the setup.
+    pub(crate) meters: Vec<Record>,
 }
 
 /// Pellets as columns; one index is one pellet.
@@ -55,6 +58,8 @@ pub struct Pellets {
     pub half_step_velocity: Vec<Row>,
     /// Spin half a step earlier [rad/s].
     pub half_step_spin: Vec<Row>,
+    /// Step before which it came [-].
+    pub born: Vec<u64>,
 }
 
 /// What the contacts of one chunk remember.
@@ -95,8 +100,8 @@ impl Pellets {
         1.0 / self.velocity[index][3]
     }
 
-    /// Adds one; `behind` is what its last kick lacks of its velocity [m/s].
-    pub(crate) fn push(&mut self, id: u32, new: &NewPellet, behind: Vec3) {
+    /// Adds one before a step; `behind` is what its last kick lacks of its velocity [m/s].
+    pub(crate) fn push(&mut self, id: u32, step: u64, new: &NewPellet, behind: Vec3) {
         let inverse_mass = 1.0 / new.mass;
         self.id.push(id);
         self.kind.push(new.kind as u16);
@@ -107,6 +112,7 @@ impl Pellets {
         self.half_step_velocity
             .push(row(new.velocity - behind, 0.0));
         self.half_step_spin.push(row(new.spin, 0.0));
+        self.born.push(step);
     }
 
     /// Keeps the rows named, in that order.
@@ -118,6 +124,7 @@ impl Pellets {
         select(&mut self.spin, order);
         select(&mut self.half_step_velocity, order);
         select(&mut self.half_step_spin, order);
+        select(&mut self.born, order);
     }
 }
 

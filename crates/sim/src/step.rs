@@ -6,6 +6,7 @@ use crate::exchange::exchange;
 use crate::forces::sum_loads;
 use crate::health;
 use crate::inlet;
+use crate::meter;
 use crate::model::Model;
 use crate::neighbors;
 use crate::profile::{Profile, Stage};
@@ -47,6 +48,7 @@ fn stages(
         profile.time(Stage::Search, || {
             neighbors::search(model, state, workspace, &kept);
         });
+        profile.time(Stage::Meters, || meter::list(model, state));
         health::check_energy(model, state)?;
     }
 
@@ -58,7 +60,10 @@ fn stages(
     let motion = profile.time(Stage::Motion, || advance(model, state, workspace));
     health::check_finite(model, state, &motion)?;
 
-    // The books are kept.
+    // Meters watch and the books are kept.
+    profile.time(Stage::Meters, || {
+        meter::watch(model, state, &workspace.walls, &contacts.wall_touches);
+    });
     enter(model, state, contacts, &motion);
     Ok(())
 }

@@ -1,6 +1,7 @@
 //! What the contacts of one chunk did in one step; merged in chunk order.
 
 use crate::ledger::ContactStatistics;
+use crate::meter::WallTouch;
 use crate::model::Model;
 use pelletflow_core::{Contact, ContactForce, ContactHistory, MaterialPair, Vec3};
 
@@ -41,6 +42,8 @@ pub(crate) struct ForceTally {
     pub(crate) shear_power: f64,
     pub(crate) wall_power: f64,
     pub(crate) wall_force: Vec<Vec3>,
+    /// Contacts with walls that meters watch.
+    pub(crate) wall_touches: Vec<WallTouch>,
     /// Contacts that closed.
     pub(crate) finished: u64,
     pub(crate) finished_steps: u64,
@@ -61,6 +64,7 @@ impl ForceTally {
             shear_power: 0.0,
             wall_power: 0.0,
             wall_force: vec![Vec3::zeros(); walls],
+            wall_touches: Vec::new(),
             finished: 0,
             finished_steps: 0,
             fewest_steps: u32::MAX,
@@ -133,6 +137,7 @@ impl ForceTally {
         for (mine, theirs) in self.wall_force.iter_mut().zip(other.wall_force) {
             *mine += theirs;
         }
+        self.wall_touches.extend(other.wall_touches);
         self.finished += other.finished;
         self.finished_steps += other.finished_steps;
         self.fewest_steps = self.fewest_steps.min(other.fewest_steps);

@@ -3,7 +3,7 @@
 use crate::error::SetupError;
 use crate::inlet;
 use crate::law_needs::{self, pairs_that_meet};
-use crate::setup::{FillAmount, Inlet, Meter, Rate, Seats, Setup};
+use crate::setup::{FillAmount, Inlet, Rate, Seats, Setup};
 use crate::time_step::StepRequest;
 use pelletflow_core::Vec3;
 
@@ -310,15 +310,8 @@ impl Mistakes {
             }
         }
         for meter in &setup.meters {
-            let is_known = match *meter {
-                Meter::MassFlow { outlet, .. } => outlet < setup.outlets.len(),
-                Meter::WallForce { wall, .. } => wall < setup.walls.len(),
-            };
-            if !is_known {
-                self.add(
-                    format!("meters.{}", meter.name()),
-                    "names nothing that the scene has",
-                );
+            for (key, message) in meter.kind.mistakes(setup) {
+                self.add(format!("meters.{}.{key}", meter.name), message);
             }
         }
         let bounds = &setup.domain.bounds;

@@ -38,6 +38,16 @@ impl Wall {
         }
     }
 
+    /// Center of the wall's box before it moves; the origin where the wall has no end [m].
+    pub fn center(&self) -> Vec3 {
+        let bounds = self.shape.bounds();
+        if bounds.is_finite() {
+            (bounds.min + bounds.max) / 2.0
+        } else {
+            Vec3::zeros()
+        }
+    }
+
     /// The wall's box in the world, at a pose.
     pub(crate) fn bounds(&self, pose: &Pose) -> Bounds {
         let bounds = self.shape.bounds();

@@ -1,6 +1,7 @@
 //! Contacts between pellets and walls.
 
 use crate::forces::ForceChunk;
+use crate::meter::WallTouch;
 use crate::pair_contacts::add_load;
 use crate::state::vector;
 use crate::tally::{DeepestContact, Partner};
@@ -156,6 +157,17 @@ fn touch(
     chunk.tally.wall_power +=
         force.force.dot(&wall_velocity) + force.turning_torque.dot(&wall_spin);
     let is_over = history.normal_force == 0.0;
+    if model.is_watched(index) {
+        chunk.tally.wall_touches.push(WallTouch {
+            wall: index,
+            is_first: !is_over && chunk.contacts.wall.rows[slot].steps == 0,
+            point: center - arm * normal,
+            velocity: velocity - wall_velocity,
+            friction: pair.friction,
+            contact,
+            force,
+        });
+    }
     if !is_over {
         chunk.contacts.wall.step(slot, &history, laws);
         chunk.contacts.wall_normals[slot] = normal;

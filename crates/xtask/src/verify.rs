@@ -10,7 +10,7 @@ use std::fs;
 use std::ops::RangeInclusive;
 
 /// Test files that tell what they hold.
-const TESTS: [&str; 9] = [
+const TESTS: [&str; 10] = [
     "impact",
     "chung_ooi",
     "oblique",
@@ -20,6 +20,7 @@ const TESTS: [&str; 9] = [
     "stacking",
     "discharge",
     "walls",
+    "meters",
 ];
 /// Figures of the paper that are drawn anew.
 const FIGURES: RangeInclusive<u32> = 2..=9;

@@ -136,8 +136,16 @@ fn page(
         let header = ["expectation", "expected", "found", ""];
         sections.push(table::listing(header, &[], rows));
     }
-    let files = ["run.mcap", "summary.json", "scene.toml", "layout.json"]
-        .map(|file| (file.into(), directory.join(file).display().to_string()));
+    let always = ["run.mcap", "summary.json", "scene.toml", "layout.json"].map(str::to_owned);
+    let with_patches = summary
+        .meters
+        .iter()
+        .filter(|(_, meter)| !meter.worst.is_empty());
+    let tables = with_patches.map(|(name, _)| format!("meters/{name}.csv"));
+    let files = always.into_iter().chain(tables).map(|file| {
+        let path = directory.join(&file).display().to_string();
+        (file, path)
+    });
     sections.push(table::facts(files));
     sections.join("\n\n")
 }

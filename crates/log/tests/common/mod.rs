@@ -1,14 +1,20 @@
 //! A small hopper with a gate, run and recorded.
 
+#![allow(
+    dead_code,
+    clippy::allow_attributes,
+    reason = "each test file uses its own share of these"
+)]
+
 use pelletflow_core::shape::Profile;
 use pelletflow_core::{
     Bounds, ContactLaws, Material, PairProperties, Shape, UnitQuaternion, UnitVector3, Vec3,
 };
 use pelletflow_log::{Progress, RunError, RunRequest, Summary, run};
 use pelletflow_sim::{
-    Domain, Fill, FillAmount, Integrator, Limits, Meter, Model, Motion, NamedMaterial,
-    NeighborSearch, Outlet, PelletKind, RunPlan, Schedule, Seats, Setup, Simulation,
-    SizeDistribution, Skips, StepRequest, Wall,
+    Domain, Fill, FillAmount, Integrator, Limits, MassFlow, Meter, MeterKind, Model, Motion,
+    NamedMaterial, NeighborSearch, Outlet, PelletKind, RunPlan, Schedule, Seats, Setup, Simulation,
+    SizeDistribution, Skips, StepRequest, Wall, WallForce,
 };
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -66,13 +72,16 @@ pub(crate) fn setup(pellets: usize) -> Setup {
             },
         }],
         meters: vec![
-            Meter::MassFlow {
+            Meter {
                 name: "outflow".into(),
-                outlet: 0,
+                kind: MeterKind::MassFlow(MassFlow { outlet: 0 }),
             },
-            Meter::WallForce {
+            Meter {
                 name: "cone-load".into(),
-                wall: 0,
+                kind: MeterKind::WallForce(WallForce {
+                    wall: 0,
+                    about: Vec3::zeros(),
+                }),
             },
         ],
         domain: Domain {

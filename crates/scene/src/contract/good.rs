@@ -8,7 +8,7 @@ use pelletflow_sim::{
 };
 use serde_json::json;
 
-fn setup(text: &str) -> Setup {
+pub(super) fn setup(text: &str) -> Setup {
     match draft(text) {
         Ok(draft) => draft.resolved.setup,
         Err(mistakes) => panic!("{mistakes}"),
@@ -369,7 +369,7 @@ fn the_schema_is_draft_7_and_refuses_unknown_keys_everywhere() {
         }
         assert_ne!(object["type"], "null");
     });
-    // Seventeen kinds of shape, four of motion, two meters, and some twenty tables.
+    // Seventeen kinds of shape, four of motion, eight meters, and some twenty tables.
     assert!(tables > 30, "{tables}");
 }
 

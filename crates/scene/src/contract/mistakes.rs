@@ -7,6 +7,9 @@ use std::path::Path;
 /// The shape of the wall of the good scene.
 const WALL: &str = "{ kind = \"half-space\", point = [0, 0, 0], normal = [0, 0, 2] }";
 
+/// The meter of the good scene.
+const METER: &str = "kind = \"mass-flow\"\noutlet = \"out\"";
+
 /// What of the good scene is replaced, by what, and a part of the message.
 #[rustfmt::skip]
 const CASES: &[(&str, &str, &str)] = &[
@@ -33,6 +36,15 @@ const CASES: &[(&str, &str, &str)] = &[
     ("diameter = \"15 mm\"", "diameter = [1]", "`diameter` is a list; expected a length or a table"),
     ("material = \"pellet\"", "material = \"pelet\"", "unknown material `pelet`; did you mean `pellet`?"),
     ("outlet = \"out\"", "outlet = \"bin\"", "unknown outlet `bin`; expected `out`"),
+    (METER, "kind = \"plane-flow\"\npoint = [0, 0, 0]\nnormal = [0, 0, 0]", "`normal` is a zero vector; expected a direction"),
+    (METER, "kind = \"plane-flow\"\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\nradius = 0", "`radius` is 0; expected more than 0 m"),
+    (METER, "kind = \"wall-force\"\nwall = \"flor\"", "unknown wall `flor`; did you mean `floor`?"),
+    (METER, "kind = \"wall-impacts\"\nwall = \"flor\"\ncell = 0.1", "unknown wall `flor`; did you mean `floor`?"),
+    (METER, "kind = \"wall-impacts\"\nwall = \"floor\"\ncell = 0", "`cell` is 0; expected more than 0 m"),
+    (METER, "kind = \"wall-impacts\"\nwall = \"floor\"", "`cell` is missing"),
+    (METER, "kind = \"wear\"\nwall = \"floor\"\ncell = 0.1\narchard = \"1e-13 Pa\"", "`archard` is an inverse pressure; `1e-13 Pa` is a pressure; write for example"),
+    (METER, "kind = \"heap\"\npoint = [0, 0, 0]\nup = [0, 0, 0]", "`up` is a zero vector; expected a direction"),
+    (METER, "kind = \"residence\"\noutlet = \"out\"", "unknown key `outlet`"),
     ("kind = \"mass-flow\"", "kind = \"mass_flow\"", "unknown kind `mass_flow`; did you mean `mass-flow`?"),
     ("shape = { kind = \"half-space\",", "shape = { kind = \"pyramid\",", "unknown kind `pyramid`; expected `half-space`, `sphere`"),
     ("normal = [0, 0, 2] }", "normal = [0, 0, 0] }", "`normal` is a zero vector"),

@@ -1,16 +1,13 @@
-//! Fills, inlets, outlets and meters, and how many pellets they come to.
+//! Fills, inlets and outlets, and how many pellets they come to.
 
 use super::{Resolver, point, vector, velocity};
 use crate::key_path::KeyPath;
 use crate::number::show;
 use crate::quantity::{FeedRate, TurnRate};
 use crate::spec::feed::FillSpec;
-use crate::spec::meter::MeterSpec;
 use crate::spec::shape::ShapeSpec;
 use pelletflow_core::{Bounds, Shape, Vec3};
-use pelletflow_sim::{
-    Fill, FillAmount, Inlet, Meter, NamedMaterial, Outlet, PelletKind, Rate, Seats,
-};
+use pelletflow_sim::{Fill, FillAmount, Inlet, NamedMaterial, Outlet, PelletKind, Rate, Seats};
 
 /// Most pellets of a scene; each takes about a kilobyte with its contacts [-].
 const MOST_PELLETS: f64 = 5.0e6;
@@ -106,27 +103,6 @@ impl Resolver<'_> {
             .map(|(name, outlet)| Outlet {
                 name: name.to_owned(),
                 region: self.shape(&outlet.region, &KeyPath::of(["outlets", name, "region"])),
-            })
-            .collect()
-    }
-
-    pub(super) fn meters(&mut self) -> Vec<Meter> {
-        let spec = self.spec;
-        spec.meters
-            .iter()
-            .map(|(name, meter)| {
-                let path = KeyPath::of(["meters", name]);
-                let name = name.to_owned();
-                match meter {
-                    MeterSpec::MassFlow { outlet } => Meter::MassFlow {
-                        name,
-                        outlet: self.index(&spec.outlets, outlet, &path.key("outlet")),
-                    },
-                    MeterSpec::WallForce { wall } => Meter::WallForce {
-                        name,
-                        wall: self.index(&spec.walls, wall, &path.key("wall")),
-                    },
-                }
             })
             .collect()
     }

@@ -3,6 +3,7 @@
 mod domain;
 mod feed;
 mod material;
+mod meter;
 mod run;
 mod shape;
 mod size;
@@ -76,7 +77,7 @@ impl Resolver<'_> {
         let fills = self.fills();
         let inlets = self.inlets();
         let outlets = self.outlets();
-        let meters = self.meters();
+        let meters = self.meters(&walls);
         self.amounts(&fills, &inlets, &materials, &pellets);
         let domain = self.domain(&walls, &fills, &inlets, &outlets);
         let title = match spec.scene.title.trim() {
