@@ -1,7 +1,9 @@
 //! What scenes promise: every mistake is found, named and put to its line.
 
+mod domain;
 mod good;
 mod mistakes;
+mod motion;
 
 use crate::draft::Draft;
 use crate::mistakes::Mistakes;

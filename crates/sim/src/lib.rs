@@ -26,6 +26,7 @@ pub mod workspace;
 
 mod advance;
 mod chunk;
+mod deposit;
 mod exchange;
 mod fill;
 mod forces;
@@ -47,7 +48,7 @@ pub use integrator::Integrator;
 pub use ledger::{ContactStatistics, EnergyLedger, MassLedger, PelletTally};
 pub use meter::MeterReading;
 pub use model::Model;
-pub use motion::Motion;
+pub use motion::{Interpolation, Motion, MotionTable, Swing};
 pub use pellet::{PelletKind, PelletView};
 pub use plan::{RunPlan, StopCondition};
 pub use schedule::Schedule;

@@ -6,6 +6,7 @@ use crate::size::SizeDistribution;
 use crate::time_step::{self, TimeStep};
 use crate::validate;
 use crate::wall_contacts::LEAST_CURVATURE_SHARE;
+use pelletflow_broadphase::PeriodicBox;
 use pelletflow_core::contact::Sampling;
 use pelletflow_core::{ContactLaws, MaterialPair};
 
@@ -33,6 +34,7 @@ struct Derived {
     has_rotation: bool,
     greatest_wall_speed: f64,
     holding_gap: f64,
+    periodic: Option<PeriodicBox>,
 }
 
 /// Extra reach of a neighbor list over the mean of the smallest and the largest diameter, where none is given [-].
@@ -57,6 +59,11 @@ impl Model {
                 derived.skin, derived.holding_gap
             );
             return Err(vec![SetupError::new("contact.skin", message)]);
+        }
+        let largest = derived.largest_diameter;
+        let mistakes = validate::periodic::mistakes(&setup, largest, derived.skin);
+        if !mistakes.is_empty() {
+            return Err(mistakes);
         }
         Ok(Self {
             derived,
@@ -141,6 +148,12 @@ impl Model {
         self.derived.holding_gap
     }
 
+    /// The box, where the domain is periodic along some axis.
+    #[inline]
+    pub(crate) fn periodic(&self) -> Option<PeriodicBox> {
+        self.derived.periodic
+    }
+
     /// Greatest speed of any moving wall [m/s].
     pub(crate) fn greatest_wall_speed(&self) -> f64 {
         self.derived.greatest_wall_speed
@@ -190,6 +203,7 @@ impl Derived {
             ),
             smallest_diameter,
             largest_diameter,
+            periodic: PeriodicBox::new(&setup.domain.bounds, setup.domain.is_periodic),
             has_rotation: setup.laws.turns() || !setup.skips.rotation,
             greatest_wall_speed: setup
                 .walls

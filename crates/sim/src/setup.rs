@@ -1,7 +1,6 @@
 //! What a user asks for, in SI units and with names resolved to indices.
 
 use crate::integrator::Integrator;
-use crate::motion::Motion;
 use crate::pellet::PelletKind;
 use crate::time_step::StepRequest;
 use crate::wall::Wall;
@@ -77,6 +76,13 @@ pub struct Fill {
 pub enum Seats {
     /// On a jittered lattice without overlap, from the bottom up.
     Lattice {
+        /// A bounded region; each pellet lies wholly inside.
+        region: Shape,
+        /// How many, or how much.
+        amount: FillAmount,
+    },
+    /// One after another, each in a low place on those before: a bed that is nearly settled, without overlap.
+    Deposit {
         /// A bounded region; each pellet lies wholly inside.
         region: Shape,
         /// How many, or how much.
@@ -166,6 +172,18 @@ impl Meter {
 pub struct Domain {
     /// The box.
     pub bounds: Bounds,
+    /// Axes along which a pellet that leaves the box comes in again at the opposite side.
+    pub is_periodic: [bool; 3],
+}
+
+impl Domain {
+    /// A box that pellets may leave by outlets only.
+    pub fn closed(bounds: Bounds) -> Self {
+        Self {
+            bounds,
+            is_periodic: [false; 3],
+        }
+    }
 }
 
 /// How neighbors are found; every way gives the same list.
@@ -222,7 +240,7 @@ impl Fill {
     /// A box about all its pellets' centers, or about its region [m].
     pub fn bounds(&self) -> Bounds {
         match &self.seats {
-            Seats::Lattice { region, .. } => region.bounds(),
+            Seats::Lattice { region, .. } | Seats::Deposit { region, .. } => region.bounds(),
             Seats::Points(points) => points
                 .iter()
                 .map(|&point| Bounds {
@@ -268,14 +286,7 @@ impl Setup {
 
     /// Greatest speed of a wall's motion, without its belt [m/s].
     pub(crate) fn wall_speed(&self, wall: &Wall) -> f64 {
-        let bounds = wall.shape.bounds().common(&self.domain.bounds);
-        let reach = match wall.motion {
-            Motion::Rotating { center, .. } => (bounds.min - center)
-                .abs()
-                .sup(&(bounds.max - center).abs())
-                .norm(),
-            _ => 0.0,
-        };
-        wall.motion.greatest_speed(reach)
+        wall.motion
+            .greatest_speed(&wall.shape.bounds(), &self.domain.bounds)
     }
 }

@@ -10,7 +10,7 @@ use std::fs;
 use std::ops::RangeInclusive;
 
 /// Test files that tell what they hold.
-const TESTS: [&str; 8] = [
+const TESTS: [&str; 9] = [
     "impact",
     "chung_ooi",
     "oblique",
@@ -19,6 +19,7 @@ const TESTS: [&str; 8] = [
     "gas",
     "stacking",
     "discharge",
+    "incline",
 ];
 /// Figures of the paper that are drawn anew.
 const FIGURES: RangeInclusive<u32> = 2..=9;
