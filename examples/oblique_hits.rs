@@ -84,12 +84,10 @@ fn setup(law: TangentialLaw, angle: f64) -> Setup {
         inlets: Vec::new(),
         outlets: Vec::new(),
         meters: Vec::new(),
-        domain: Domain {
-            bounds: Bounds {
-                min: Vec3::repeat(-1.0),
-                max: Vec3::repeat(1.0),
-            },
-        },
+        domain: Domain::closed(Bounds {
+            min: Vec3::repeat(-1.0),
+            max: Vec3::repeat(1.0),
+        }),
         integrator: Integrator::default(),
         step: StepRequest::PeakForceError(1.0e-3),
         search: NeighborSearch::Auto,

@@ -95,12 +95,10 @@ pub(crate) fn silo(pellets: usize, radius: f64) -> Setup {
         inlets: Vec::new(),
         outlets: Vec::new(),
         meters: Vec::new(),
-        domain: Domain {
-            bounds: Bounds {
-                min: Vec3::new(-0.5, -0.5, -0.3),
-                max: Vec3::new(0.5, 0.5, top),
-            },
-        },
+        domain: Domain::closed(Bounds {
+            min: Vec3::new(-0.5, -0.5, -0.3),
+            max: Vec3::new(0.5, 0.5, top),
+        }),
         integrator: Integrator::default(),
         step: StepRequest::Fixed(TIME_STEP),
         search: NeighborSearch::Auto,

@@ -53,12 +53,10 @@ pub(crate) fn setup(pellets: PairProperties, walls: PairProperties) -> Setup {
         inlets: Vec::new(),
         outlets: Vec::new(),
         meters: Vec::new(),
-        domain: Domain {
-            bounds: Bounds {
-                min: Vec3::repeat(-2.0),
-                max: Vec3::repeat(2.0),
-            },
-        },
+        domain: Domain::closed(Bounds {
+            min: Vec3::repeat(-2.0),
+            max: Vec3::repeat(2.0),
+        }),
         integrator: Integrator::default(),
         step: StepRequest::PeakForceError(1.0e-3),
         search: NeighborSearch::Auto,

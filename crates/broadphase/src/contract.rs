@@ -1,6 +1,6 @@
 //! What every search promises: the partners of the oracle, in its order.
 
-use super::{Grid, Search, SphereRow, Tree, WallTree};
+use super::{Grid, PeriodicBox, Search, SphereRow, Tree, WallTree};
 use pelletflow_core::{Bounds, Vec3};
 use proptest::prelude::*;
 
@@ -27,9 +27,33 @@ proptest! {
         skin in 0.0..0.5_f64,
         chunk_size in 1_usize..40,
     ) {
-        let oracle = lists(&Search::AllPairs { rows: &rows, skin }, rows.len(), chunk_size);
-        let grid = lists(&Search::Grid(Grid::new(&rows, skin)), rows.len(), chunk_size);
-        let tree = lists(&Search::Tree(Tree::new(&rows, skin)), rows.len(), chunk_size);
+        let oracle = lists(&Search::AllPairs { rows: &rows, skin, periodic: None }, rows.len(), chunk_size);
+        let grid = lists(&Search::Grid(Grid::new(&rows, skin, None)), rows.len(), chunk_size);
+        let tree = lists(&Search::Tree(Tree::new(&rows, skin, None)), rows.len(), chunk_size);
+        prop_assert_eq!(&grid, &oracle);
+        prop_assert_eq!(&tree, &oracle);
+    }
+
+    #[test]
+    fn every_search_finds_the_partners_across_periodic_borders(
+        rows in prop::collection::vec(pellet(9.0, 4.0), 1..120),
+        skin in 0.0..0.4_f64,
+        chunk_size in 1_usize..40,
+        is_periodic in prop::array::uniform3(prop::bool::ANY),
+        longer in 0.0..4.0_f64,
+    ) {
+        // From the narrowest box allowed, of two reaches, on.
+        let length = 2.0 * (4.0 + skin) + longer;
+        let bounds = Bounds { min: Vec3::repeat(-1.0), max: Vec3::repeat(length - 1.0) };
+        let into_box = |&[x, y, z, r]: &SphereRow| {
+            let along = |value: f64| value / 9.0 * length - 1.0;
+            [along(x), along(y), along(z), r]
+        };
+        let rows: Vec<SphereRow> = rows.iter().map(into_box).collect();
+        let periodic = PeriodicBox::new(&bounds, is_periodic);
+        let oracle = lists(&Search::AllPairs { rows: &rows, skin, periodic }, rows.len(), chunk_size);
+        let grid = lists(&Search::Grid(Grid::new(&rows, skin, periodic)), rows.len(), chunk_size);
+        let tree = lists(&Search::Tree(Tree::new(&rows, skin, periodic)), rows.len(), chunk_size);
         prop_assert_eq!(&grid, &oracle);
         prop_assert_eq!(&tree, &oracle);
     }
@@ -39,7 +63,7 @@ proptest! {
         rows in prop::collection::vec(pellet(5.0, 1.5), 2..60),
         chunk_size in 1_usize..20,
     ) {
-        let lists = lists(&Search::Grid(Grid::new(&rows, 0.1)), rows.len(), chunk_size);
+        let lists = lists(&Search::Grid(Grid::new(&rows, 0.1, None)), rows.len(), chunk_size);
         for (i, partners) in lists.iter().enumerate() {
             for &j in partners {
                 let j = j as usize;
@@ -76,11 +100,12 @@ fn a_stray_pellet_far_away_costs_no_memory() {
         .map(|i| [f64::from(i) * 0.9, 0.0, 0.0, 0.5])
         .collect();
     rows.push([1.0e7, 1.0e7, 1.0e7, 0.5]);
-    let grid = lists(&Search::Grid(Grid::new(&rows, 0.1)), rows.len(), 64);
+    let grid = lists(&Search::Grid(Grid::new(&rows, 0.1, None)), rows.len(), 64);
     let oracle = lists(
         &Search::AllPairs {
             rows: &rows,
             skin: 0.1,
+            periodic: None,
         },
         rows.len(),
         64,
@@ -90,9 +115,9 @@ fn a_stray_pellet_far_away_costs_no_memory() {
 
 #[test]
 fn no_pellets_and_no_walls_are_no_trouble() {
-    let _ = Grid::new(&[], 0.1);
-    let _ = Grid::new(&[], 0.0);
-    let _ = Tree::new(&[], 0.1);
+    let _ = Grid::new(&[], 0.1, None);
+    let _ = Grid::new(&[], 0.0, None);
+    let _ = Tree::new(&[], 0.1, None);
     let mut walls = vec![7];
     WallTree::new(&[]).near_into(Vec3::zeros(), 1.0, 0.1, &mut walls);
     assert_eq!(walls, Vec::<u32>::new());

@@ -3,14 +3,18 @@
 //! One contract, several ways to fill it. Pellets are stored in chunks; a pair inside a chunk is listed once,
 //! at its lower index, and a pair across chunks at both ends, so that each chunk can be advanced on its own.
 //! Every way lists the same partners in the same order: [`all_pairs`] is the oracle of the others.
+//! Along periodic axes the nearest image of a pellet counts; the box is longer than twice the reach of two pellets,
+//! so that no two images of a pellet are partners of one.
 
 pub mod all_pairs;
 pub mod grid;
 pub mod morton;
+pub mod periodic;
 pub mod tree;
 pub mod walls;
 
 pub use grid::Grid;
+pub use periodic::PeriodicBox;
 pub use tree::Tree;
 pub use walls::WallTree;
 
@@ -32,6 +36,8 @@ pub enum Search<'a> {
         rows: &'a [SphereRow],
         /// Gap below which two pellets are partners [m].
         skin: f64,
+        /// The box, where it is periodic.
+        periodic: Option<PeriodicBox>,
     },
 }
 
@@ -47,8 +53,12 @@ impl Search<'_> {
         match self {
             Self::Grid(grid) => grid.for_each_within_reach(index, &mut keep),
             Self::Tree(tree) => tree.for_each_within_reach(index, &mut keep),
-            Self::AllPairs { rows, skin } => {
-                all_pairs::for_each_within_reach(rows, *skin, index, &mut keep);
+            Self::AllPairs {
+                rows,
+                skin,
+                periodic,
+            } => {
+                all_pairs::for_each_within_reach(rows, *skin, periodic.as_ref(), index, &mut keep);
             }
         }
         partners[first..].sort_unstable();

@@ -22,6 +22,15 @@ impl Pose {
         }
     }
 
+    /// The pose of a body that first takes another and then this one.
+    #[must_use]
+    pub fn after(&self, first: &Self) -> Self {
+        Self {
+            rotation: self.rotation * first.rotation,
+            translation: self.point(first.translation),
+        }
+    }
+
     /// A point of the body, seen from the world [m].
     pub fn point(&self, point_in_body: Vec3) -> Vec3 {
         self.rotation * point_in_body + self.translation

@@ -1,8 +1,10 @@
 //! What scenes promise: every mistake is found, named and put to its line.
 
+mod domain;
 mod good;
 mod meters;
 mod mistakes;
+mod motion;
 
 use crate::draft::Draft;
 use crate::mistakes::Mistakes;

@@ -93,18 +93,42 @@ pub enum StepError {
         /// Simulated time [s].
         time: f64,
     },
+    /// A wall that appeared where pellets were.
+    #[error(
+        "wall `{wall}` closed onto pellets at t = {time:.6} s: {pellets} of them stood in its way, pellet {deepest} by {ratio:.3} \
+         of its radius; let it close when they have passed, earlier or later, or make it a wall with a `translating` or \
+         `rotating` motion, which pushes them aside"
+    )]
+    GateClosed {
+        /// Name of the wall.
+        wall: String,
+        /// How many pellets it cut into too deep [-].
+        pellets: usize,
+        /// Permanent number of the one that it cut into deepest [-].
+        deepest: u32,
+        /// Overlap of that one over its radius [-].
+        ratio: f64,
+        /// Simulated time [s].
+        time: f64,
+    },
     /// A feeder that cannot hold its rate.
     #[error(
-        "inlet `{inlet}` owes {owed:.3} kg at t = {time:.6} s, more than it feeds in {patience} s: pellets do not leave its \
-         region fast enough; widen the region, raise the velocity or lower the rate"
+        "inlet `{inlet}` has fed {fed:.4} {unit} of the {due:.4} {unit} due at t = {time:.6} s, {:.4} {unit}/s in place of {:.4} \
+         {unit}/s: its region is too small for the rate, or pellets do not leave it fast enough; widen the region, raise \
+         the velocity, clear what dams it up or lower the rate",
+        fed / feeding_time, due / feeding_time
     )]
     InletBlocked {
         /// Name of the inlet.
         inlet: String,
-        /// Mass due and not inserted [kg].
-        owed: f64,
-        /// Time of feeding that may be owed [s].
-        patience: f64,
+        /// What it has fed [the unit below].
+        fed: f64,
+        /// What it should have fed [the unit below].
+        due: f64,
+        /// `kg` or `pellets`.
+        unit: &'static str,
+        /// Time that it has fed for [s].
+        feeding_time: f64,
         /// Simulated time [s].
         time: f64,
     },

@@ -1,4 +1,4 @@
-//! Inlets, outlets and the border of the domain: who comes and who goes.
+//! Inlets, outlets and the border of the domain: who comes and who goes, and who comes round a periodic axis.
 //!
 //! Done only where neighbors are searched anew: between two searches no pellet moves by more than half the skin,
 //! so nothing slips past an outlet or the border unseen.
@@ -7,7 +7,7 @@ use crate::error::StepError;
 use crate::inlet;
 use crate::meter;
 use crate::model::Model;
-use crate::state::{State, vector};
+use crate::state::{State, row, vector};
 use crate::wall::WallNow;
 use pelletflow_core::Vec3;
 
@@ -20,6 +20,7 @@ pub(crate) fn exchange(
     state: &mut State,
     walls: &[WallNow],
 ) -> Result<Vec<u32>, StepError> {
+    wrap(model, state);
     let mass_before: Vec<f64> = state
         .books
         .by_outlet
@@ -57,6 +58,23 @@ pub(crate) fn exchange(
         inlet::feed(model, state, walls, index, &mut kept)?;
     }
     Ok(kept)
+}
+
+/// Brings back what has left through a periodic side; what that changes of its potential energy is carried.
+fn wrap(model: &Model, state: &mut State) {
+    let Some(periodic) = model.periodic() else {
+        return;
+    };
+    for index in 0..state.pellets.len() {
+        let position = vector(&state.pellets.position[index]);
+        let wrapped = periodic.wrapped(position);
+        if wrapped != position {
+            let (_, before) = energies(model, state, index);
+            state.pellets.position[index] = row(wrapped, state.pellets.position[index][3]);
+            let (_, after) = energies(model, state, index);
+            state.books.energy.carry(1.0, 0.0, after - before);
+        }
+    }
 }
 
 fn average_flows(model: &Model, state: &mut State, mass_before: &[f64]) {

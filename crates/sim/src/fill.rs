@@ -1,11 +1,12 @@
-//! Fills: pellets on a jittered lattice, without overlap, before the first step.
+//! Fills: pellets without overlap before the first step, on a jittered lattice, put down one by one, or where they are told.
 
+use crate::deposit::Deposit;
 use crate::error::SetupError;
 use crate::ledger::PelletTally;
 use crate::model::Model;
 use crate::random::{Draw, Purpose};
 use crate::setup::{Fill, FillAmount, Seats};
-use crate::state::NewPellet;
+use crate::state::{NewPellet, row, vector};
 use crate::wall::WallNow;
 use pelletflow_broadphase::{Grid, SphereRow};
 use pelletflow_core::{Bounds, Shape, Vec3};
@@ -63,6 +64,17 @@ fn place_one(
         }
     };
     let placed = match &fill.seats {
+        Seats::Deposit { region, amount } => {
+            let mut place_draw = Draw::new(seed, Purpose::FillPlace(index), 0);
+            let gravity = model.setup().gravity;
+            let mut deposit = Deposit::new(region, gravity, size.max_diameter() / 2.0);
+            let pellets = std::iter::from_fn(|| {
+                let pellet = new(Vec3::zeros());
+                let position = deposit.put(pellet.radius, &mut place_draw)?;
+                Some(NewPellet { position, ..pellet })
+            });
+            up_to(*amount, pellets).map_err(|held| too_small(fill, *amount, held))?
+        }
         Seats::Points(points) => points.iter().map(|&point| new(point)).collect(),
         Seats::Lattice { region, amount } => {
             let mut place_draw = Draw::new(seed, Purpose::FillPlace(index), 0);
@@ -165,7 +177,7 @@ fn too_small(fill: &Fill, amount: FillAmount, held: PelletTally) -> SetupError {
 /// Overlap that a fill may start with over the radius [-]: none on a lattice; points may come from a settled bed.
 fn allowed_overlap_ratio(model: &Model, fill: &Fill) -> f64 {
     match fill.seats {
-        Seats::Lattice { .. } => 0.0,
+        Seats::Lattice { .. } | Seats::Deposit { .. } => 0.0,
         Seats::Points(_) => model.setup().limits.overlap_ratio,
     }
 }
@@ -202,7 +214,7 @@ fn overlap_with_wall(
 /// Key of the scene that says where the pellets of a fill are put.
 fn seats_key(fill: &Fill) -> String {
     let key = match fill.seats {
-        Seats::Lattice { .. } => "region",
+        Seats::Lattice { .. } | Seats::Deposit { .. } => "region",
         Seats::Points(_) => "at",
     };
     format!("fill.{}.{key}", fill.name)
@@ -215,9 +227,15 @@ fn overlap_of_fills(
 ) -> Option<SetupError> {
     let rows: Vec<SphereRow> = placed
         .iter()
-        .map(|p| [p.position.x, p.position.y, p.position.z, p.radius])
+        .map(|pellet| {
+            let position = model.periodic().map_or(pellet.position, |periodic| {
+                periodic.wrapped(pellet.position)
+            });
+            row(position, pellet.radius)
+        })
         .collect();
-    let grid = Grid::new(&rows, 0.0);
+    let periodic = model.periodic();
+    let grid = Grid::new(&rows, 0.0, periodic);
     let fill_of = |index: usize| {
         &model.setup().fills[first_of_fill.partition_point(|&first| first <= index) - 1]
     };
@@ -225,7 +243,11 @@ fn overlap_of_fills(
         let mut overlapping = None;
         grid.for_each_within_reach(index, &mut |other| {
             let (a, b) = (&placed[index], &placed[other]);
-            let overlap = a.radius + b.radius - (a.position - b.position).norm();
+            let between = vector(&rows[index]) - vector(&rows[other]);
+            let nearest = periodic.map_or(between, |periodic| {
+                Vec3::from(periodic.nearest(between.into()))
+            });
+            let overlap = a.radius + b.radius - nearest.norm();
             let allowed = [index, other].map(|pellet| allowed_overlap_ratio(model, fill_of(pellet)));
             if overlap > allowed[0].max(allowed[1]) * a.radius.min(b.radius) {
                 overlapping = Some((other, overlap));

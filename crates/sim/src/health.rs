@@ -3,8 +3,13 @@
 use crate::advance::MotionTally;
 use crate::error::StepError;
 use crate::model::Model;
-use crate::state::State;
+use crate::state::{State, vector};
 use crate::tally::{DeepestContact, ForceTally, Partner};
+use crate::wall::{Wall, WallNow};
+
+/// Overlap over the radius up to which a wall may appear on a pellet [-]: the energy that comes from nowhere is that of
+/// a fall through a millimeter or so.
+const GATE_OVERLAP: f64 = 0.01;
 
 /// Energy below which rounding decides, per joule of the greatest energy a pellet held [J].
 const NEGLIGIBLE_THROUGHPUT: f64 = 1.0e-9;
@@ -37,6 +42,48 @@ pub(crate) fn check_overlap(
         }),
         _ => Ok(()),
     }
+}
+
+/// Refuses walls that appear where pellets are: such an overlap is not the work of any force.
+///
+/// # Errors
+/// A wall that was not there in the last step cuts into a pellet.
+pub(crate) fn check_gates(
+    model: &Model,
+    state: &State,
+    walls: &[WallNow],
+) -> Result<(), StepError> {
+    if state.step == 0 {
+        return Ok(());
+    }
+    let time_step = model.time_step().seconds;
+    let last_time = (state.step - 1) as f64 * time_step;
+    let closing = |(wall, now): &(&Wall, &WallNow)| {
+        !wall.schedule.changes().is_empty()
+            && now.is_present
+            && !wall.schedule.is_present(last_time)
+    };
+    for (wall, now) in model.setup().walls.iter().zip(walls).filter(closing) {
+        let (mut pellets, mut deepest, mut ratio) = (0, 0, GATE_OVERLAP);
+        for (index, row) in state.pellets.position.iter().enumerate() {
+            let distance = wall.shape.distance(now.pose.inverse_point(vector(row)));
+            let overlap_ratio = 1.0 - distance / row[3];
+            pellets += usize::from(overlap_ratio > GATE_OVERLAP);
+            if overlap_ratio > ratio {
+                (deepest, ratio) = (state.pellets.id[index], overlap_ratio);
+            }
+        }
+        if pellets > 0 {
+            return Err(StepError::GateClosed {
+                wall: wall.name.clone(),
+                pellets,
+                deepest,
+                ratio,
+                time: state.step as f64 * time_step,
+            });
+        }
+    }
+    Ok(())
 }
 
 /// Refuses positions and velocities that are not numbers.

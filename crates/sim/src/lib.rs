@@ -26,6 +26,7 @@ pub mod workspace;
 
 mod advance;
 mod chunk;
+mod deposit;
 mod exchange;
 mod fill;
 mod forces;
@@ -50,7 +51,7 @@ pub use meter::{
     WallForce, WallImpacts, Wear,
 };
 pub use model::Model;
-pub use motion::Motion;
+pub use motion::{Interpolation, Motion, MotionTable, Swing};
 pub use pellet::{PelletKind, PelletView};
 pub use plan::{RunPlan, StopCondition};
 pub use schedule::Schedule;

@@ -6,6 +6,7 @@ use crate::size::SizeDistribution;
 use crate::time_step::{self, TimeStep};
 use crate::validate;
 use crate::wall_contacts::LEAST_CURVATURE_SHARE;
+use pelletflow_broadphase::PeriodicBox;
 use pelletflow_core::contact::Sampling;
 use pelletflow_core::solid::MOST_TOUCHES;
 use pelletflow_core::{ContactLaws, MaterialPair, Solid};
@@ -38,6 +39,7 @@ struct Derived {
     holding_gap: f64,
     /// Whether a meter watches the contacts with a wall, by wall.
     watched_walls: Vec<bool>,
+    periodic: Option<PeriodicBox>,
 }
 
 /// Extra reach of a neighbor list over the mean of the smallest and the largest diameter, where none is given [-].
@@ -62,6 +64,11 @@ impl Model {
                 derived.skin, derived.holding_gap
             );
             return Err(vec![SetupError::new("contact.skin", message)]);
+        }
+        let largest = derived.largest_diameter;
+        let mistakes = validate::periodic::mistakes(&setup, largest, derived.skin);
+        if !mistakes.is_empty() {
+            return Err(mistakes);
         }
         Ok(Self {
             derived,
@@ -168,6 +175,12 @@ impl Model {
         self.derived.watched_walls[wall]
     }
 
+    /// The box, where the domain is periodic along some axis.
+    #[inline]
+    pub(crate) fn periodic(&self) -> Option<PeriodicBox> {
+        self.derived.periodic
+    }
+
     /// Greatest speed of any moving wall [m/s].
     pub(crate) fn greatest_wall_speed(&self) -> f64 {
         self.derived.greatest_wall_speed
@@ -225,6 +238,7 @@ impl Derived {
             ),
             smallest_diameter,
             largest_diameter,
+            periodic: PeriodicBox::new(&setup.domain.bounds, setup.domain.is_periodic),
             has_rotation: setup.laws.turns() || !setup.skips.rotation,
             solids: setup
                 .walls

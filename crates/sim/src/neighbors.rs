@@ -80,18 +80,19 @@ fn storage_order(model: &Model, pellets: &Pellets, kept: &[u32]) -> Vec<u32> {
 }
 
 fn searcher<'a>(model: &Model, positions: &'a [Row]) -> Search<'a> {
-    let skin = model.skin();
+    let (skin, periodic) = (model.skin(), model.periodic());
     let is_grid_best = model.largest_diameter() <= GRID_SIZE_RATIO * model.smallest_diameter();
     match (model.setup().search, is_grid_best) {
         (NeighborSearch::Grid, _) | (NeighborSearch::Auto, true) => {
-            Search::Grid(Grid::new(positions, skin))
+            Search::Grid(Grid::new(positions, skin, periodic))
         }
         (NeighborSearch::Tree, _) | (NeighborSearch::Auto, false) => {
-            Search::Tree(Tree::new(positions, skin))
+            Search::Tree(Tree::new(positions, skin, periodic))
         }
         (NeighborSearch::AllPairs, _) => Search::AllPairs {
             rows: positions,
             skin,
+            periodic,
         },
     }
 }

@@ -17,20 +17,28 @@ use std::ops::Range;
 /// A pair across chunks is evaluated by both, each adding to its own pellet: the two results are exact
 /// negatives, and no chunk writes to another's rows.
 pub(crate) fn add_forces(chunk: &mut ForceChunk) {
+    match chunk.model.periodic() {
+        None => add_all(chunk, |displacement| displacement),
+        Some(periodic) => add_all(chunk, |displacement| periodic.nearest(displacement)),
+    }
+}
+
+/// Adds the forces; `image` gives the shortest image of a displacement [m].
+fn add_all(chunk: &mut ForceChunk, image: impl Fn([f64; 3]) -> [f64; 3] + Copy) {
     let mut touches = std::mem::take(chunk.touches);
     let gap = chunk.model.holding_gap();
     if gap > 0.0 {
         let held = |memory: &ContactMemory| if memory.steps > 0 { gap } else { 0.0 };
-        find_touches(chunk, &mut touches, held);
+        find_touches(chunk, &mut touches, image, held);
     } else {
-        find_touches(chunk, &mut touches, |_| 0.0);
+        find_touches(chunk, &mut touches, image, |_| 0.0);
     }
     let mut batch = Batch::default();
     for lane in 0..LANES {
         batch.set_pair(lane, chunk.model.pair_of_kinds(0, 0));
     }
     for touches in touches.chunks(LANES) {
-        add_batch(chunk, &mut batch, touches);
+        add_batch(chunk, &mut batch, touches, image);
     }
     *chunk.touches = touches;
 }
@@ -41,6 +49,7 @@ pub(crate) fn add_forces(chunk: &mut ForceChunk) {
 fn find_touches(
     chunk: &mut ForceChunk,
     touches: &mut Vec<Touch>,
+    image: impl Fn([f64; 3]) -> [f64; 3],
     held: impl Fn(&ContactMemory) -> f64,
 ) {
     let positions = chunk.pellets.position.as_slice();
@@ -55,11 +64,11 @@ fn find_touches(
         let slots = ends[0] as usize..ends[1] as usize;
         for (&b, slot) in partners[slots.clone()].iter().zip(slots) {
             let other = &positions[b as usize];
-            let (dx, dy, dz) = (
+            let [dx, dy, dz] = image([
                 center[0] - other[0],
                 center[1] - other[1],
                 center[2] - other[2],
-            );
+            ]);
             let reach = center[3] + other[3] + held(&memories.rows[slot]);
             let is_touching = dx * dx + dy * dy + dz * dz < reach * reach;
             // Written in any case and kept only by the count: cheaper than a branch that half the slots take.
@@ -88,14 +97,23 @@ fn is_counted(range: &Range<usize>, a: usize, b: usize) -> bool {
 }
 
 /// Works out one batch of touching pairs and adds what they do.
-fn add_batch(chunk: &mut ForceChunk, batch: &mut Batch, touches: &[Touch]) {
+fn add_batch(
+    chunk: &mut ForceChunk,
+    batch: &mut Batch,
+    touches: &[Touch],
+    image: impl Fn([f64; 3]) -> [f64; 3],
+) {
     let model = chunk.model;
     let pellets = chunk.pellets;
     for (lane, touch) in touches.iter().enumerate() {
         let a = chunk.range.start + touch.local as usize;
         let b = touch.partner as usize;
         let history = chunk.contacts.pellet.rows[touch.slot as usize].history();
-        batch.set(lane, &sphere(pellets, a), &sphere(pellets, b), &history);
+        let (mut first, mut second) = (sphere(pellets, a), sphere(pellets, b));
+        // Seen from the second, so that the two ends of a pair across chunks stay exact negatives.
+        first.center = Vec3::from(image((first.center - second.center).into()));
+        second.center = Vec3::zeros();
+        batch.set(lane, &first, &second, &history);
         if model.has_many_kinds() {
             batch.set_pair(lane, model.pair_of_kinds(pellets.kind[a], pellets.kind[b]));
         }

@@ -12,6 +12,8 @@ pub(crate) enum Purpose {
     InletSize(usize),
     /// Inlet and step.
     InletPlace(usize, u64),
+    /// Of the places of an inlet that are looked at before the run.
+    InletRoom,
 }
 
 /// A stream of random numbers of its own.
@@ -26,6 +28,7 @@ impl Draw {
             Purpose::FillPlace(index) => (2, index, 0),
             Purpose::InletSize(index) => (3, index, 0),
             Purpose::InletPlace(index, step) => (4, index, step),
+            Purpose::InletRoom => (5, 0, 0),
         };
         let mut key = [0_u8; 32];
         for (part, value) in

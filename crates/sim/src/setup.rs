@@ -2,7 +2,6 @@
 
 use crate::integrator::Integrator;
 use crate::meter::Meter;
-use crate::motion::Motion;
 use crate::pellet::PelletKind;
 use crate::time_step::StepRequest;
 use crate::wall::Wall;
@@ -83,6 +82,13 @@ pub enum Seats {
         /// How many, or how much.
         amount: FillAmount,
     },
+    /// One after another, each in a low place on those before: a bed that is nearly settled, without overlap.
+    Deposit {
+        /// A bounded region; each pellet lies wholly inside.
+        region: Shape,
+        /// How many, or how much.
+        amount: FillAmount,
+    },
     /// Just here: one pellet about each center [m].
     Points(Vec<Vec3>),
 }
@@ -138,6 +144,18 @@ pub struct Outlet {
 pub struct Domain {
     /// The box.
     pub bounds: Bounds,
+    /// Axes along which a pellet that leaves the box comes in again at the opposite side.
+    pub is_periodic: [bool; 3],
+}
+
+impl Domain {
+    /// A box that pellets may leave by outlets only.
+    pub fn closed(bounds: Bounds) -> Self {
+        Self {
+            bounds,
+            is_periodic: [false; 3],
+        }
+    }
 }
 
 /// How neighbors are found; every way gives the same list.
@@ -194,7 +212,7 @@ impl Fill {
     /// A box about all its pellets' centers, or about its region [m].
     pub fn bounds(&self) -> Bounds {
         match &self.seats {
-            Seats::Lattice { region, .. } => region.bounds(),
+            Seats::Lattice { region, .. } | Seats::Deposit { region, .. } => region.bounds(),
             Seats::Points(points) => points
                 .iter()
                 .map(|&point| Bounds {
@@ -240,14 +258,7 @@ impl Setup {
 
     /// Greatest speed of a wall's motion, without its belt [m/s].
     pub(crate) fn wall_speed(&self, wall: &Wall) -> f64 {
-        let bounds = wall.shape.bounds().common(&self.domain.bounds);
-        let reach = match wall.motion {
-            Motion::Rotating { center, .. } => (bounds.min - center)
-                .abs()
-                .sup(&(bounds.max - center).abs())
-                .norm(),
-            _ => 0.0,
-        };
-        wall.motion.greatest_speed(reach)
+        wall.motion
+            .greatest_speed(&wall.shape.bounds(), &self.domain.bounds)
     }
 }

@@ -40,7 +40,8 @@ fn stages(
     let time = state.step as f64 * model.time_step().seconds;
     profile.time(Stage::Walls, || {
         prescribe_walls(model, time, &mut workspace.walls);
-    });
+        health::check_gates(model, state, &workspace.walls)
+    })?;
 
     // Neighbors, if a pellet may have come near a new one; then pellets also come and go.
     if neighbors::is_search_due(model, state) || inlet::is_any_due(model, state) {

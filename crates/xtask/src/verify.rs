@@ -10,7 +10,7 @@ use std::fs;
 use std::ops::RangeInclusive;
 
 /// Test files that tell what they hold.
-const TESTS: [&str; 10] = [
+const TESTS: [&str; 11] = [
     "impact",
     "chung_ooi",
     "oblique",
@@ -21,6 +21,7 @@ const TESTS: [&str; 10] = [
     "discharge",
     "walls",
     "meters",
+    "incline",
 ];
 /// Figures of the paper that are drawn anew.
 const FIGURES: RangeInclusive<u32> = 2..=9;

@@ -84,12 +84,10 @@ pub(crate) fn setup(pellets: usize) -> Setup {
                 }),
             },
         ],
-        domain: Domain {
-            bounds: Bounds {
-                min: Vec3::new(-0.3, -0.3, -0.3),
-                max: Vec3::new(0.3, 0.3, 0.4),
-            },
-        },
+        domain: Domain::closed(Bounds {
+            min: Vec3::new(-0.3, -0.3, -0.3),
+            max: Vec3::new(0.3, 0.3, 0.4),
+        }),
         integrator: Integrator::default(),
         step: StepRequest::PeakForceError(0.01),
         search: NeighborSearch::Auto,

@@ -2,6 +2,7 @@
 
 use super::{Resolver, point};
 use crate::key_path::KeyPath;
+use crate::spec::header::AxisSpec;
 use pelletflow_core::{Bounds, Vec3};
 use pelletflow_sim::{Domain, Fill, Inlet, Outlet, Seats, Wall};
 
@@ -30,7 +31,12 @@ impl Resolver<'_> {
                     "`max` is not above `min` along every axis; exchange or correct them",
                 );
             }
-            return Domain { bounds };
+            let is_periodic =
+                [AxisSpec::X, AxisSpec::Y, AxisSpec::Z].map(|axis| spec.periodic.contains(&axis));
+            return Domain {
+                bounds,
+                is_periodic,
+            };
         }
         let fixed = fills
             .iter()
@@ -43,12 +49,10 @@ impl Resolver<'_> {
         let extent = parts.fold(Bounds::nothing(), |extent, part| widened(extent, &part));
         if !extent.is_finite() {
             // Without pellets there is no extent; that is a mistake of its own.
-            return Domain {
-                bounds: Bounds {
-                    min: Vec3::repeat(-1.0),
-                    max: Vec3::repeat(1.0),
-                },
-            };
+            return Domain::closed(Bounds {
+                min: Vec3::repeat(-1.0),
+                max: Vec3::repeat(1.0),
+            });
         }
         let bounds = extent.grown(MARGIN * (extent.max - extent.min).max());
         self.notes.push(format!(
@@ -56,13 +60,13 @@ impl Resolver<'_> {
              [domain]",
             bounds.min.x, bounds.min.y, bounds.min.z, bounds.max.x, bounds.max.y, bounds.max.z
         ));
-        Domain { bounds }
+        Domain::closed(bounds)
     }
 }
 
 fn bounds_of(fill: &Fill) -> Bounds {
     match &fill.seats {
-        Seats::Lattice { region, .. } => region.bounds(),
+        Seats::Lattice { region, .. } | Seats::Deposit { region, .. } => region.bounds(),
         Seats::Points(points) => points.iter().fold(Bounds::nothing(), |bounds, &point| {
             let point = Bounds {
                 min: point,

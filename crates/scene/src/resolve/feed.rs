@@ -1,12 +1,11 @@
-//! Fills, inlets and outlets, and how many pellets they come to.
+//! Inlets and outlets, and how many pellets come.
 
-use super::{Resolver, point, vector, velocity};
+use super::{Resolver, velocity};
 use crate::key_path::KeyPath;
 use crate::number::show;
-use crate::quantity::{FeedRate, TurnRate};
-use crate::spec::feed::FillSpec;
+use crate::quantity::FeedRate;
 use crate::spec::shape::ShapeSpec;
-use pelletflow_core::{Bounds, Shape, Vec3};
+use pelletflow_core::{Bounds, Shape};
 use pelletflow_sim::{Fill, FillAmount, Inlet, NamedMaterial, Outlet, PelletKind, Rate, Seats};
 
 /// Most pellets of a scene; each takes about a kilobyte with its contacts [-].
@@ -16,63 +15,6 @@ const MOST_PELLETS: f64 = 5.0e6;
 const MOST_SITES: f64 = 1.0e9;
 
 impl Resolver<'_> {
-    pub(super) fn fills(&mut self) -> Vec<Fill> {
-        let spec = self.spec;
-        spec.fill
-            .iter()
-            .map(|(name, fill)| {
-                let path = KeyPath::of(["fill", name]);
-                Fill {
-                    name: name.to_owned(),
-                    pellets: self.index(&spec.pellets, &fill.pellets, &path.key("pellets")),
-                    seats: self.seats(fill, &path),
-                    velocity: velocity(fill.velocity),
-                    spin: fill.spin.map_or_else(Vec3::zeros, |spin| {
-                        vector(spin.map(|TurnRate(value)| value))
-                    }),
-                }
-            })
-            .collect()
-    }
-
-    fn seats(&mut self, fill: &FillSpec, path: &KeyPath) -> Seats {
-        if let Some(at) = &fill.at {
-            if fill.region.is_some() || fill.count.is_some() || fill.mass.is_some() {
-                self.findings.add(
-                    path,
-                    "`at` places every pellet by itself; leave out `region`, `count` and `mass`",
-                );
-            }
-            return Seats::Points(at.iter().map(|&center| point(center)).collect());
-        }
-        let Some(region) = &fill.region else {
-            self.findings.add(
-                path,
-                "`region` is missing; give one with a `count` or a `mass`, or centers such as `at = [[0, 0, 1]]`",
-            );
-            return Seats::Points(Vec::new());
-        };
-        let amount = match (fill.count, fill.mass) {
-            (Some(count), None) => FillAmount::Count(count),
-            (None, Some(mass)) => FillAmount::Mass(mass.0),
-            (count, _) => {
-                self.findings.add(
-                    path,
-                    if count.is_some() {
-                        "`count` and `mass` are both given; keep one"
-                    } else {
-                        "`count` or `mass` is missing; write for example `count = 1000` or `mass = \"50 kg\"`"
-                    },
-                );
-                FillAmount::Count(1)
-            }
-        };
-        Seats::Lattice {
-            region: self.region(region, path),
-            amount,
-        }
-    }
-
     pub(super) fn inlets(&mut self) -> Vec<Inlet> {
         let spec = self.spec;
         spec.inlets
@@ -108,7 +50,7 @@ impl Resolver<'_> {
     }
 
     /// A region in which pellets appear, which must end somewhere.
-    fn region(&mut self, spec: &ShapeSpec, path: &KeyPath) -> Shape {
+    pub(super) fn region(&mut self, spec: &ShapeSpec, path: &KeyPath) -> Shape {
         let path = path.key("region");
         let region = self.shape(spec, &path);
         if !region.bounds().is_finite() {
@@ -144,7 +86,7 @@ impl Resolver<'_> {
             let path = KeyPath::of(["fill", &fill.name]);
             let count = match &fill.seats {
                 Seats::Points(points) => Some(points.len() as f64),
-                Seats::Lattice { region, amount } => {
+                Seats::Lattice { region, amount } | Seats::Deposit { region, amount } => {
                     self.sites(region, pellets.get(fill.pellets), &path.key("region"));
                     match *amount {
                         FillAmount::Count(count) => Some(count as f64),

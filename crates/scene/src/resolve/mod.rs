@@ -2,8 +2,10 @@
 
 mod domain;
 mod feed;
+mod fill;
 mod material;
 mod meter;
+mod motion;
 mod run;
 mod shape;
 mod size;
@@ -74,7 +76,7 @@ impl Resolver<'_> {
         let pairs = self.pairs();
         let pellets = self.pellets();
         let walls = self.walls();
-        let fills = self.fills();
+        let fills = self.fills(&pellets);
         let inlets = self.inlets();
         let outlets = self.outlets();
         let meters = self.meters(&walls);

@@ -1,11 +1,10 @@
-//! Walls: shape, motion and schedule.
+//! Walls: shape and schedule.
 
-use super::{Resolver, point, vector, velocity};
+use super::{Resolver, velocity};
 use crate::key_path::KeyPath;
 use crate::quantity::Moment;
-use crate::spec::motion::MotionSpec;
 use crate::spec::wall::{GateState, ScheduleSpec, WallSpec};
-use pelletflow_sim::{Motion, Schedule, Wall};
+use pelletflow_sim::{Schedule, Wall};
 
 impl Resolver<'_> {
     pub(super) fn walls(&mut self) -> Vec<Wall> {
@@ -18,53 +17,12 @@ impl Resolver<'_> {
                     name: name.to_owned(),
                     material: self.index(&spec.materials, &wall.material, &path.key("material")),
                     shape: self.shape(&wall.shape, &path.key("shape")),
-                    motion: self.motion(&wall.motion, &path.key("motion")),
+                    motion: self.motions(&wall.motion, &path.key("motion")),
                     surface_velocity: velocity(wall.surface_velocity),
                     schedule: self.schedule(wall, &path),
                 }
             })
             .collect()
-    }
-
-    fn motion(&mut self, spec: &MotionSpec, path: &KeyPath) -> Motion {
-        match spec {
-            MotionSpec::Fixed => Motion::Fixed,
-            MotionSpec::Translating {
-                velocity: components,
-                start,
-                end,
-            } => {
-                let (start, end) = self.span(*start, *end, path);
-                Motion::Translating {
-                    velocity: velocity(Some(*components)),
-                    start,
-                    end,
-                }
-            }
-            MotionSpec::Rotating {
-                center,
-                axis,
-                rate,
-                start,
-                end,
-            } => {
-                let (start, end) = self.span(*start, *end, path);
-                Motion::Rotating {
-                    center: point(*center),
-                    axis: self.direction(*axis, &path.key("axis")),
-                    rate: rate.0,
-                    start,
-                    end,
-                }
-            }
-            MotionSpec::Vibrating {
-                amplitude,
-                frequency,
-            } => Motion::Vibrating {
-                amplitude: vector(amplitude.map(|coordinate| coordinate.0)),
-                frequency: frequency.0,
-            },
-        }
     }
 
     /// From 0 where no start is given, without end where no end is given.

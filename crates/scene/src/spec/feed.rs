@@ -5,7 +5,7 @@ use crate::quantity::{Coordinate, FeedRate, Mass, Moment, TurnRate, Velocity};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-/// Pellets there at the start: a `region` with a `count` or a `mass`, or their centers `at`.
+/// Pellets there at the start: a `region` with a `count`, a `mass` or a level, or their centers `at`.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct FillSpec {
@@ -18,6 +18,12 @@ pub(crate) struct FillSpec {
     pub(crate) count: Option<usize>,
     /// At least this mass, to the next whole pellet [kg].
     pub(crate) mass: Option<Mass>,
+    /// Height against gravity, from the origin, up to which the settled bed fills the region [m]; the number of pellets
+    /// follows from an estimate of how densely they pack.
+    pub(crate) to_level: Option<Coordinate>,
+    /// How the pellets are put into the region; `lattice` where all are of one size or nothing pulls them down, `deposit`
+    /// else.
+    pub(crate) packing: Option<PackingSpec>,
     /// Centers of the pellets, one by one [m]; in place of `region`.
     #[schemars(extend("minItems" = 1))]
     pub(crate) at: Option<Vec<[Coordinate; 3]>>,
@@ -25,6 +31,16 @@ pub(crate) struct FillSpec {
     pub(crate) velocity: Option<[Velocity; 3]>,
     /// Spin at the start [rad/s]; none where none is given.
     pub(crate) spin: Option<[TurnRate; 3]>,
+}
+
+/// How pellets are put into a region.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum PackingSpec {
+    /// On a jittered lattice of the largest diameter.
+    Lattice,
+    /// One after another, each in a low place on those before: a bed that is nearly settled.
+    Deposit,
 }
 
 /// A feeder: pellets appear at a rate, at random places of a region.

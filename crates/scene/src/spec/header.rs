@@ -115,4 +115,20 @@ pub(crate) struct DomainSpec {
     pub(crate) min: [Coordinate; 3],
     /// Highest corner [m].
     pub(crate) max: [Coordinate; 3],
+    /// Axes along which a pellet that leaves the box comes in again at the opposite side: `["x", "y"]`; none where none
+    /// is given.
+    #[serde(default)]
+    pub(crate) periodic: Vec<AxisSpec>,
+}
+
+/// An axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum AxisSpec {
+    /// The first.
+    X,
+    /// The second.
+    Y,
+    /// The third.
+    Z,
 }

@@ -1,6 +1,6 @@
 //! `[walls.NAME]`.
 
-use super::motion::MotionSpec;
+use super::motion::MotionsSpec;
 use super::shape::ShapeSpec;
 use crate::quantity::{Moment, Velocity};
 use schemars::JsonSchema;
@@ -14,9 +14,9 @@ pub(crate) struct WallSpec {
     pub(crate) material: String,
     /// Its solid.
     pub(crate) shape: ShapeSpec,
-    /// How it moves; it stays where nothing is said.
+    /// How it moves, or a list of motions, the innermost first; it stays where nothing is said.
     #[serde(default)]
-    pub(crate) motion: MotionSpec,
+    pub(crate) motion: MotionsSpec,
     /// Velocity of its surface beside its motion, as of a belt; only the part along the surface acts [m/s].
     pub(crate) surface_velocity: Option<[Velocity; 3]>,
     /// Moment at which it vanishes, as a gate that opens [s].

@@ -110,6 +110,7 @@ fn scene(meters: Vec<MeterKind>) -> Setup {
             })
             .collect(),
         domain: Domain {
+            is_periodic: [false; 3],
             bounds: Bounds::about_origin(Vec3::repeat(2.0)),
         },
         integrator: Integrator::default(),

@@ -1,14 +1,14 @@
 //! What makes a setup impossible: every mistake, each with its key.
 
+mod feed;
+mod motion;
+pub(crate) mod periodic;
+
 use crate::error::SetupError;
-use crate::inlet;
 use crate::law_needs::{self, pairs_that_meet};
-use crate::setup::{FillAmount, Inlet, Rate, Seats, Setup};
+use crate::setup::Setup;
 use crate::time_step::StepRequest;
 use pelletflow_core::Vec3;
-
-/// Tonnes per hour in a kilogram per second.
-const TONNES_PER_HOUR: f64 = 3.6;
 
 /// Every mistake of a setup.
 pub(crate) fn mistakes(setup: &Setup) -> Vec<SetupError> {
@@ -199,6 +199,9 @@ impl Mistakes {
                     ),
                 );
             }
+            if let Some(message) = motion::mistake(&wall.motion) {
+                self.add(key("motion"), message);
+            }
             if !wall.schedule.changes().is_sorted_by(|a, b| a < b) {
                 self.add(
                     key("schedule"),
@@ -208,106 +211,9 @@ impl Mistakes {
         }
     }
 
-    fn fills(&mut self, setup: &Setup) {
-        for fill in &setup.fills {
-            let key = |field: &str| format!("fill.{}.{field}", fill.name);
-            match &fill.seats {
-                Seats::Lattice { region, amount } => {
-                    if let Err(error) = region.validate() {
-                        self.add(key("region"), error.to_string());
-                    } else if !region.bounds().is_finite() {
-                        self.add(key("region"), "is not bounded on every side; expected a closed shape such as a box or a cylinder");
-                    }
-                    if let FillAmount::Mass(mass) = *amount {
-                        self.expect(
-                            mass.is_finite() && mass > 0.0,
-                            key("mass"),
-                            mass,
-                            "kg",
-                            "more than 0",
-                        );
-                    }
-                }
-                Seats::Points(points) => {
-                    if !points.iter().copied().all(is_finite) {
-                        self.add(
-                            key("at"),
-                            "holds a number that is not finite; expected centers in m",
-                        );
-                    }
-                }
-            }
-            if !(is_finite(fill.velocity) && is_finite(fill.spin)) {
-                self.add(
-                    key("velocity"),
-                    "or `spin` is not finite; expected three numbers in m/s and in rad/s",
-                );
-            }
-        }
-    }
-
-    fn inlet(&mut self, setup: &Setup, inlet: &Inlet) {
-        let key = |field: &str| format!("inlets.{}.{field}", inlet.name);
-        let (rate, unit) = match inlet.rate {
-            Rate::Mass(rate) => (rate, "kg/s"),
-            Rate::Count(rate) => (rate, "1/s"),
-        };
-        if !(rate.is_finite() && rate > 0.0) {
-            self.expect(false, key("rate"), rate, unit, "more than 0");
-            return;
-        }
-        if let Err(error) = inlet.region.validate() {
-            self.add(key("region"), error.to_string());
-            return;
-        }
-        if !inlet.region.bounds().is_finite() {
-            self.add(
-                key("region"),
-                "is not bounded on every side; expected a closed shape such as a box",
-            );
-            return;
-        }
-        if !(inlet.start >= 0.0 && inlet.end > inlet.start) {
-            let (start, end) = (inlet.start, inlet.end);
-            self.add(key("end"), format!("feeding runs from {start} s to {end} s; expected the start at 0 s or later and the end after it"));
-        }
-        let kind = &setup.pellets[inlet.pellets];
-        let largest = kind.size.max_diameter();
-        let size = inlet.region.bounds().max - inlet.region.bounds().min;
-        if size.min() < largest {
-            self.add(
-                key("region"),
-                format!(
-                    "is {:.4} m at its narrowest; expected at least one pellet, {largest} m",
-                    size.min()
-                ),
-            );
-            return;
-        }
-        let density = setup.materials[kind.material].material.density;
-        let capacity = inlet::capacity(inlet, setup.gravity, density);
-        let asked = match inlet.rate {
-            Rate::Mass(rate) => rate,
-            Rate::Count(rate) => rate * setup.mass(inlet.pellets, largest / 2.0),
-        };
-        if asked > capacity {
-            self.add(
-                key("rate"),
-                format!(
-                    "asks for {:.4} t/h ({asked:.4} kg/s), but pellets leave the region no faster than {:.4} t/h ({capacity:.4} kg/s); \
-                     widen the region, raise the velocity or lower the rate",
-                    asked * TONNES_PER_HOUR,
-                    capacity * TONNES_PER_HOUR
-                ),
-            );
-        }
-    }
-
     fn rest(&mut self, setup: &Setup) {
         for outlet in &setup.outlets {
-            if let Err(error) = outlet.region.validate() {
-                self.add(format!("outlets.{}.region", outlet.name), error.to_string());
-            }
+            self.outlet(setup, outlet);
         }
         for meter in &setup.meters {
             for (key, message) in meter.kind.mistakes(setup) {
