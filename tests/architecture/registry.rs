@@ -30,7 +30,7 @@ const FAMILIES: [Family; 5] = [
             ("Mirrored", "placement"),
             ("Scaled", "placement"),
         ],
-        shared: &["mod", "contract", "validation"],
+        shared: &["mod", "contract", "flatness", "validation"],
     },
     Family {
         folder: "crates/core/src/contact/normal",

@@ -5,6 +5,7 @@ mod good;
 mod meters;
 mod mistakes;
 mod motion;
+mod shapes;
 
 use crate::draft::Draft;
 use crate::mistakes::Mistakes;
