@@ -22,6 +22,7 @@ pub mod skipped;
 pub mod state;
 pub mod time_step;
 pub mod wall;
+pub mod wall_shape;
 pub mod workspace;
 
 mod advance;
@@ -61,4 +62,5 @@ pub use skipped::Skipped;
 pub use state::State;
 pub use time_step::{StepRequest, TimeStep};
 pub use wall::Wall;
+pub use wall_shape::WallShape;
 pub use workspace::Workspace;

@@ -98,7 +98,7 @@ fn walls() -> Vec<Wall> {
     let wall = |name: &str, shape: Shape| Wall {
         name: name.into(),
         material: 1,
-        shape,
+        shape: shape.into(),
         motion: Motion::Fixed,
         surface_velocity: Vec3::zeros(),
         schedule: Schedule::always(),

@@ -2,9 +2,9 @@
 
 use super::{GOOD, draft, draft_with};
 use crate::{Scene, TEMPLATES, schema};
-use pelletflow_core::{Shape, Vec3};
+use pelletflow_core::Vec3;
 use pelletflow_sim::{
-    FillAmount, Motion, Rate, Seats, Setup, SizeDistribution, StepRequest, StopCondition,
+    FillAmount, Motion, Rate, Seats, Setup, SizeDistribution, StepRequest, StopCondition, WallShape,
 };
 use serde_json::json;
 
@@ -71,7 +71,7 @@ region = {{ kind = \"box\", center = [0, 0, 1], size = [0.1, 0.1, 0.1] }}
 }
 
 /// The scene with another shape for its wall.
-fn shape(written: &str) -> Shape {
+fn shape(written: &str) -> WallShape {
     let kept = "{ kind = \"half-space\", point = [0, 0, 0], normal = [0, 0, 2] }";
     setup(&GOOD.replacen(kept, written, 1))
         .walls

@@ -17,7 +17,7 @@ impl Resolver<'_> {
                 Wall {
                     name: name.to_owned(),
                     material: self.index(&spec.materials, &wall.material, &path.key("material")),
-                    shape: self.shape(&wall.shape, &path.key("shape")),
+                    shape: self.shape(&wall.shape, &path.key("shape")).into(),
                     motion: self.motion(&wall.motion, &path.key("motion")),
                     surface_velocity: velocity(wall.surface_velocity),
                     schedule: self.schedule(wall, &path),
