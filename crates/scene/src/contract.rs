@@ -4,7 +4,7 @@ mod good;
 mod mistakes;
 
 use crate::draft::Draft;
-use crate::mistakes::Mistakes;
+use crate::mistakes::{Mistakes, SceneError};
 use crate::overrides::Override;
 use crate::source::Source;
 
@@ -55,7 +55,14 @@ end = "1 s"
 "#;
 
 fn draft(text: &str) -> Result<Draft, Mistakes> {
-    Draft::new(Source::new("scene.toml", text)?, "scene", &[])
+    Draft::new(Source::new("scene.toml", text)?, "scene", &[]).map_err(mistakes)
+}
+
+fn mistakes(error: SceneError) -> Mistakes {
+    match error {
+        SceneError::Invalid(mistakes) => mistakes,
+        unreadable @ SceneError::Unreadable { .. } => panic!("{unreadable}"),
+    }
 }
 
 fn draft_with(text: &str, overrides: &[&str]) -> Result<Draft, Mistakes> {
@@ -63,7 +70,7 @@ fn draft_with(text: &str, overrides: &[&str]) -> Result<Draft, Mistakes> {
         .iter()
         .map(|set| set.parse().expect("an override"))
         .collect();
-    Draft::new(Source::new("scene.toml", text)?, "scene", &overrides)
+    Draft::new(Source::new("scene.toml", text)?, "scene", &overrides).map_err(mistakes)
 }
 
 /// The mistakes of the good scene after a replacement, as printed.

@@ -171,6 +171,7 @@ pub(crate) fn run_into(
         scene_title: "A small hopper",
         scene_text: SCENE_TEXT,
         scene_hash: "0123",
+        scene_files: &[],
         plan,
         spheres_up_to,
     };
