@@ -3,8 +3,9 @@
 use super::{Foot, FootOn, Triangle, TriangleMesh};
 use crate::{Surface, Touches, Vec3};
 
-/// Distance over the size of the mesh below which a point lies on a triangle [-].
-const ON_IT: f64 = 1.0e-9;
+/// Distance over the radius of the ball below which a point lies on a triangle: beyond the single precision of files, and
+/// less than the ball can feel [-].
+const ON_IT: f64 = 1.0e-3;
 
 /// The nearest point of one triangle, within reach of the ball.
 struct Near {
@@ -21,7 +22,7 @@ pub(super) fn offer(mesh: &TriangleMesh, candidates: &[u32], center: Vec3, touch
         .iter()
         .filter_map(|&index| Near::new(mesh.triangle(index), center, touches.reach()))
         .collect();
-    let tolerance = ON_IT * mesh.size();
+    let tolerance = ON_IT * touches.reach();
     for rank in [FootOn::Face, FootOn::Edge, FootOn::Corner] {
         for own in near.iter().filter(|own| own.foot.on == rank) {
             if near

@@ -125,6 +125,36 @@ fn a_plane_is_felt_as_a_plane_over_faces_edges_and_corners_however_finely_it_is_
 }
 
 #[test]
+fn corners_on_the_side_of_a_neighbor_and_the_rounding_of_a_file_are_not_felt() {
+    let mut vertices = Vec::new();
+    let mut triangles: Vec<[u32; 3]> = Vec::new();
+    // Two sheets side by side, cut differently, in single precision and far from the origin.
+    for (side, cells) in [(-1.0, 7), (1.0, 10)] {
+        let part = sheet(1.0, cells, UnitQuaternion::identity());
+        let first = vertices.len() as u32;
+        triangles.extend(
+            part.indices()
+                .iter()
+                .map(|corners| corners.map(|corner| first + corner)),
+        );
+        let place =
+            |at: &Vec3| turned() * (at + 0.5 * side * Vec3::x()) + Vec3::new(9.0, -7.0, 5.0);
+        let rounded = |at: Vec3| at.map(|value| f64::from(value as f32));
+        vertices.extend(part.vertices().iter().map(place).map(rounded));
+    }
+    let mesh = TriangleMesh::new(vertices, triangles).expect("two sheets are a mesh");
+    for step in 0..500_u32 {
+        let along = |share: f64| (f64::from(step) * share).fract() - 0.5;
+        let place = Vec3::new(0.3 * along(0.819_172), 0.8 * along(0.671_043), 0.08);
+        let center = turned() * place + Vec3::new(9.0, -7.0, 5.0);
+        let found = felt(&mesh, center, 0.1);
+        assert_eq!(found.len(), 1, "{place:?}: {found:?}");
+        // Single precision of 10 m.
+        assert!((found[0].distance - 0.08).abs() < 1.0e-6, "{found:?}");
+    }
+}
+
+#[test]
 fn the_inside_of_a_box_has_corners_of_three_faces_and_its_outside_corners_of_one_point() {
     let mesh = cuboid(Vec3::zeros(), Vec3::repeat(1.0));
     let inside = felt(&mesh, Vec3::new(0.08, 0.09, 0.07), 0.1);

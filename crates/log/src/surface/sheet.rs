@@ -34,3 +34,41 @@ pub(super) fn mesh(sheet: &TriangleMesh) -> Mesh {
             .collect(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_open_box_is_drawn_with_its_edges_and_without_its_diagonals() {
+        let vertices = (0..8)
+            .map(|corner| {
+                Vec3::new(
+                    f64::from(corner & 1),
+                    f64::from(corner >> 1 & 1),
+                    f64::from(corner >> 2),
+                )
+            })
+            .collect();
+        let sides = [
+            [0, 2, 3, 1],
+            [0, 1, 5, 4],
+            [2, 6, 7, 3],
+            [0, 4, 6, 2],
+            [1, 3, 7, 5],
+        ];
+        let triangles = sides
+            .iter()
+            .flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]])
+            .collect();
+        let drawn = mesh(&TriangleMesh::new(vertices, triangles).expect("a box is a mesh"));
+        assert_eq!(drawn.triangles.len(), 10);
+        assert_eq!(drawn.edges.len(), 12);
+        assert!(
+            drawn
+                .edges
+                .iter()
+                .all(|[from, to]| (to - from).norm() == 1.0)
+        );
+    }
+}

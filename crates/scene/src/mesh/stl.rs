@@ -52,7 +52,10 @@ fn plain(bytes: &[u8]) -> Vec<u8> {
             plain.push('\n');
         }
     }
-    plain.push_str("endsolid\n");
+    // Where the last triangle is whole, a missing end is no loss.
+    if plain.ends_with("endfacet\n") || !plain.contains("facet") {
+        plain.push_str("endsolid\n");
+    }
     plain.into_bytes()
 }
 
