@@ -23,6 +23,7 @@ pub mod state;
 pub mod time_step;
 pub mod wall;
 pub mod wall_shape;
+pub mod wall_trial;
 pub mod workspace;
 
 mod advance;
@@ -63,4 +64,5 @@ pub use state::State;
 pub use time_step::{StepRequest, TimeStep};
 pub use wall::Wall;
 pub use wall_shape::WallShape;
+pub use wall_trial::{Spot, TrialError, WallTrial, WallTrials};
 pub use workspace::Workspace;
