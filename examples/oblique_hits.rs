@@ -69,7 +69,8 @@ fn setup(law: TangentialLaw, angle: f64) -> Setup {
             shape: Shape::HalfSpace {
                 point: Vec3::zeros(),
                 normal: UnitVector3::new_normalize(Vec3::z()),
-            },
+            }
+            .into(),
             motion: Motion::Fixed,
             surface_velocity: Vec3::zeros(),
             schedule: Schedule::always(),

@@ -20,7 +20,7 @@ fn wall(name: &str, shape: Shape) -> Wall {
     Wall {
         name: name.into(),
         material: 0,
-        shape,
+        shape: shape.into(),
         motion: Motion::Fixed,
         surface_velocity: Vec3::zeros(),
         schedule: Schedule::always(),

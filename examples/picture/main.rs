@@ -59,8 +59,13 @@ fn told(message: &str) -> ExitCode {
 }
 
 fn draw(recording: &Path, picture: &Path, times: &[f64]) -> Result<(), Box<dyn Error>> {
-    let text = read_attachment(recording, "scene.toml")?;
-    let scene = Scene::parse(&text, "scene", &[])?;
+    // Meshes lie beside the scene; a recording on its own has only the text.
+    let beside = recording.with_file_name("scene.toml");
+    let scene = if beside.is_file() {
+        Scene::read(&beside, &[])?
+    } else {
+        Scene::parse(&read_attachment(recording, "scene.toml")?, "scene", &[])?
+    };
     let frames = chosen(recording, times)?;
     let full_speed = scale_end(&frames);
     let bounds = shown(&scene, &frames);

@@ -1,8 +1,8 @@
 //! Walls met by stepping along a ray as far as nothing can be: their shapes are distances.
 
 use crate::camera::Ray;
-use pelletflow::core::{Bounds, Pose, Shape, Vec3};
-use pelletflow::sim::Setup;
+use pelletflow::core::{Bounds, Pose, Vec3};
+use pelletflow::sim::{Setup, WallShape};
 
 /// Distance that counts as a touch, over the diagonal of the picture [-].
 const TOUCH_SHARE: f64 = 2.0e-5;
@@ -11,7 +11,7 @@ const STEPS: usize = 160;
 
 /// The walls of one moment, without the part before a plane.
 pub(crate) struct Walls<'a> {
-    present: Vec<(Pose, &'a Shape)>,
+    present: Vec<(Pose, &'a WallShape)>,
     bounds: Bounds,
     /// Where y is less than this, the walls are cut away [m].
     cut: f64,

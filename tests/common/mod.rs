@@ -8,6 +8,7 @@
 )]
 
 mod held;
+pub(crate) mod sheets;
 
 pub(crate) use held::held;
 
@@ -15,6 +16,7 @@ use pelletflow::core::{Bounds, ContactLaws, Material, PairProperties, Shape, Uni
 use pelletflow::sim::{
     Domain, Fill, Integrator, Limits, Model, Motion, NamedMaterial, NeighborSearch, PelletKind,
     PelletView, Schedule, Seats, Setup, Simulation, SizeDistribution, Skips, StepRequest, Wall,
+    WallShape,
 };
 
 /// Radius of the paper's pellet [m].
@@ -77,11 +79,11 @@ pub(crate) fn smooth(restitution: f64) -> PairProperties {
 }
 
 /// A steel wall that stays.
-pub(crate) fn wall(name: &str, shape: Shape) -> Wall {
+pub(crate) fn wall(name: &str, shape: impl Into<WallShape>) -> Wall {
     Wall {
         name: name.into(),
         material: STEEL,
-        shape,
+        shape: shape.into(),
         motion: Motion::Fixed,
         surface_velocity: Vec3::zeros(),
         schedule: Schedule::always(),

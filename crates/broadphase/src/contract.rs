@@ -1,7 +1,7 @@
 //! What every search promises: the partners of the oracle, in its order.
 
-use super::{Grid, PeriodicBox, Search, SphereRow, Tree, WallTree};
-use pelletflow_core::{Bounds, Vec3};
+use super::{Grid, MeshTree, PeriodicBox, Search, SphereRow, Tree, WallTree};
+use pelletflow_core::{Bounds, TriangleMesh, Vec3};
 use proptest::prelude::*;
 
 fn lists(search: &Search, count: usize, chunk_size: usize) -> Vec<Vec<u32>> {
@@ -71,6 +71,26 @@ proptest! {
                 prop_assert_eq!(lists[j].contains(&(i as u32)), is_across);
             }
         }
+    }
+
+    #[test]
+    fn the_mesh_tree_lists_just_the_triangles_in_reach_and_knows_the_nearest(
+        corners in prop::collection::vec((-5.0..5.0_f64, -5.0..5.0_f64, -5.0..5.0_f64), 3..40),
+        at in (-6.0..6.0_f64, -6.0..6.0_f64, -6.0..6.0_f64),
+        reach in 0.1..4.0_f64,
+    ) {
+        let vertices: Vec<Vec3> = corners.iter().map(|&(x, y, z)| Vec3::new(x, y, z)).collect();
+        let triangles: Vec<[u32; 3]> = (2..vertices.len() as u32).map(|last| [last - 2, last - 1, last]).collect();
+        let tree = MeshTree::new(TriangleMesh::new(vertices, triangles).expect("no three in a row"));
+        let center = Vec3::new(at.0, at.1, at.2);
+        let distances: Vec<f64> = tree.mesh().triangles().map(|triangle| triangle.distance(center)).collect();
+        let mut found = vec![7];
+        tree.triangles_near(center, reach, &mut found);
+        let expected = (0..distances.len() as u32).filter(|&index| distances[index as usize] < reach);
+        prop_assert_eq!(&found[1..], expected.collect::<Vec<_>>());
+        let nearest = distances.iter().copied().fold(f64::INFINITY, f64::min);
+        // The boxes are compared by distances of their own rounding.
+        prop_assert!((tree.distance(center) - nearest).abs() < 1.0e-12);
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! Who might touch: partners of each pellet, and the walls near it.
+//! Who might touch: partners of each pellet, the walls near it, and the triangles of a wall that is a mesh.
 //!
 //! One contract, several ways to fill it. Pellets are stored in chunks; a pair inside a chunk is listed once,
 //! at its lower index, and a pair across chunks at both ends, so that each chunk can be advanced on its own.
@@ -8,12 +8,14 @@
 
 pub mod all_pairs;
 pub mod grid;
+pub mod mesh;
 pub mod morton;
 pub mod periodic;
 pub mod tree;
 pub mod walls;
 
 pub use grid::Grid;
+pub use mesh::MeshTree;
 pub use periodic::PeriodicBox;
 pub use tree::Tree;
 pub use walls::WallTree;

@@ -110,13 +110,18 @@ pub(crate) struct RunArguments {
 #[command(after_help = "\
 Examples:
   pelletflow check hopper.toml
-  pelletflow check hopper.toml --set pellets.ore.diameter=\"12 mm\" --json")]
+  pelletflow check hopper.toml --set pellets.ore.diameter=\"12 mm\" --json
+  pelletflow check hopper.toml --walls   drop one pellet onto each wall and compare with Hertz")]
 pub(crate) struct CheckArguments {
     /// Scene file.
     pub(crate) scene: PathBuf,
     /// Set a value of the scene; can be given more than once.
     #[arg(long, value_name = "KEY=VALUE")]
     pub(crate) set: Vec<Override>,
+    /// Drop one pellet onto the face, an edge, a tip and a corner of each wall, where it has one, and compare the force with
+    /// that of a plane.
+    #[arg(long)]
+    pub(crate) walls: bool,
     /// Print JSON.
     #[arg(long)]
     pub(crate) json: bool,

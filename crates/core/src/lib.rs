@@ -5,6 +5,7 @@
 pub mod bounds;
 pub mod contact;
 pub mod material;
+pub mod mesh;
 pub mod pose;
 pub mod shape;
 pub mod solid;
@@ -12,6 +13,7 @@ pub mod solid;
 pub use bounds::Bounds;
 pub use contact::{Contact, ContactForce, ContactHistory, ContactLaws};
 pub use material::{Material, MaterialPair, PairProperties};
+pub use mesh::{MeshError, TriangleMesh};
 pub use nalgebra::{UnitQuaternion, UnitVector3};
 pub use pose::Pose;
 pub use shape::{Profile, Shape, ShapeError, Surface};

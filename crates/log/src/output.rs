@@ -45,6 +45,15 @@ impl Output {
         fs::write(&path, text).map_err(|source| RunError::output(&path, source))
     }
 
+    /// Writes a file that `scene.toml` names, in the folder where that seeks it.
+    pub(crate) fn write_beside(&self, path: &Path, bytes: &[u8]) -> Result<(), RunError> {
+        let path = self.directory.join(path);
+        let folder = path.parent().unwrap_or(&self.directory);
+        fs::create_dir_all(folder)
+            .and_then(|()| fs::write(&path, bytes))
+            .map_err(|source| RunError::output(&path, source))
+    }
+
     pub(crate) fn file(&self, name: &str) -> Result<BufWriter<File>, RunError> {
         let path = self.path(name);
         let file = File::create(&path).map_err(|source| RunError::output(&path, source))?;

@@ -12,7 +12,8 @@ use pelletflow_sim::{RunPlan, Simulation};
 use std::collections::BTreeMap;
 use std::io;
 use std::ops::ControlFlow;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Instant;
 
 /// What to run, how long, and where to put it.
@@ -28,6 +29,8 @@ pub struct RunRequest<'a> {
     pub scene_text: &'a str,
     /// Hash of the scene.
     pub scene_hash: &'a str,
+    /// Files that the scene names: where each lies, seen from the folder of the scene, and what it holds.
+    pub scene_files: &'a [(PathBuf, Arc<[u8]>)],
     /// How long the run goes on and how often it is looked at.
     pub plan: &'a RunPlan,
     /// Spheres of true size are recorded of at most this many pellets [-].
@@ -53,8 +56,8 @@ pub struct Progress {
     pub discharged: u64,
 }
 
-/// Drives a simulation to its end, and writes `scene.toml`, `layout.json`, `run.mcap` and `summary.json`, and
-/// `meters/NAME.csv` for every meter that keeps patches of a wall.
+/// Drives a simulation to its end, and writes `scene.toml` with the files it names, `layout.json`, `run.mcap` and
+/// `summary.json`, and `meters/NAME.csv` for every meter that keeps patches of a wall.
 ///
 /// The observer is called about every 20 ms; the run stops when it breaks.
 /// However the run ends, the recording is finished and a summary is written.
@@ -76,6 +79,9 @@ pub fn run(
     );
     let output = Output::create(request.directory)?;
     output.write("scene.toml", request.scene_text)?;
+    for (path, bytes) in request.scene_files {
+        output.write_beside(path, bytes)?;
+    }
     output.write("layout.json", &layout)?;
     patches::write(&output, simulation)?;
     let recording = output.path("run.mcap");

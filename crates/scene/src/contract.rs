@@ -8,7 +8,7 @@ mod motion;
 mod shapes;
 
 use crate::draft::Draft;
-use crate::mistakes::Mistakes;
+use crate::mistakes::{Mistakes, SceneError};
 use crate::overrides::Override;
 use crate::source::Source;
 
@@ -59,7 +59,14 @@ end = "1 s"
 "#;
 
 fn draft(text: &str) -> Result<Draft, Mistakes> {
-    Draft::new(Source::new("scene.toml", text)?, "scene", &[])
+    Draft::new(Source::new("scene.toml", text)?, "scene", &[]).map_err(mistakes)
+}
+
+fn mistakes(error: SceneError) -> Mistakes {
+    match error {
+        SceneError::Invalid(mistakes) => mistakes,
+        unreadable @ SceneError::Unreadable { .. } => panic!("{unreadable}"),
+    }
 }
 
 fn draft_with(text: &str, overrides: &[&str]) -> Result<Draft, Mistakes> {
@@ -67,7 +74,7 @@ fn draft_with(text: &str, overrides: &[&str]) -> Result<Draft, Mistakes> {
         .iter()
         .map(|set| set.parse().expect("an override"))
         .collect();
-    Draft::new(Source::new("scene.toml", text)?, "scene", &overrides)
+    Draft::new(Source::new("scene.toml", text)?, "scene", &overrides).map_err(mistakes)
 }
 
 /// The mistakes of the good scene after a replacement, as printed.

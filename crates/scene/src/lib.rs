@@ -9,6 +9,7 @@ mod draft;
 mod expect;
 mod key_path;
 mod measure;
+mod mesh;
 mod mistakes;
 mod named;
 mod number;
@@ -27,6 +28,7 @@ mod walk;
 
 pub use expect::{ExpectationOutcome, Expectations};
 pub use measure::{MeasureError, measure};
+pub use mesh::{MeshReport, Rim};
 pub use mistakes::{Mistake, Mistakes, Place, SceneError};
 pub use overrides::{Override, OverrideError};
 pub use resolve::{OutputOptions, Strength};

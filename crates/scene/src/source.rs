@@ -4,7 +4,7 @@ use crate::key_path::{KeyPath, Segment};
 use crate::mistakes::{Finding, Findings, Mistake, Mistakes, Place};
 use std::io::{self, Read};
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use toml_edit::{Document, Item, TableLike, TomlError};
 
 /// Longest scene that is read [bytes]; more is not a scene.
@@ -20,6 +20,8 @@ pub(crate) struct Source {
     overridden: Vec<KeyPath>,
     /// Whether lines mean anything to the user; not where the text was made from other data.
     has_lines: bool,
+    /// Folder of the file, from which its paths are seen.
+    directory: PathBuf,
 }
 
 impl Source {
@@ -65,12 +67,23 @@ impl Source {
             document,
             overridden: Vec::new(),
             has_lines: true,
+            directory: PathBuf::new(),
         })
     }
 
     pub(crate) fn without_lines(mut self) -> Self {
         self.has_lines = false;
         self
+    }
+
+    /// Of a file in a folder.
+    pub(crate) fn in_directory(mut self, directory: &Path) -> Self {
+        directory.clone_into(&mut self.directory);
+        self
+    }
+
+    pub(crate) fn directory(&self) -> &Path {
+        &self.directory
     }
 
     pub(crate) fn document(&self) -> &Document<String> {

@@ -22,6 +22,8 @@ pub mod skipped;
 pub mod state;
 pub mod time_step;
 pub mod wall;
+pub mod wall_shape;
+pub mod wall_trial;
 pub mod workspace;
 
 mod advance;
@@ -65,4 +67,6 @@ pub use skipped::Skipped;
 pub use state::State;
 pub use time_step::{StepRequest, TimeStep};
 pub use wall::Wall;
+pub use wall_shape::WallShape;
+pub use wall_trial::{Spot, TrialError, WallTrial, WallTrials};
 pub use workspace::Workspace;

@@ -6,10 +6,10 @@ use crate::size::SizeDistribution;
 use crate::time_step::{self, TimeStep};
 use crate::validate;
 use crate::wall_contacts::LEAST_CURVATURE_SHARE;
+use crate::wall_shape::Touchable;
 use pelletflow_broadphase::PeriodicBox;
 use pelletflow_core::contact::Sampling;
-use pelletflow_core::solid::MOST_TOUCHES;
-use pelletflow_core::{ContactLaws, MaterialPair, Solid};
+use pelletflow_core::{ContactLaws, MaterialPair};
 
 /// A validated setup with what follows from it; a step never changes it.
 #[derive(Debug, Clone)]
@@ -34,8 +34,8 @@ struct Derived {
     largest_diameter: f64,
     has_rotation: bool,
     greatest_wall_speed: f64,
-    /// Of the walls, ready to be touched.
-    solids: Vec<Solid>,
+    /// The walls, ready to be touched.
+    touchables: Vec<Touchable>,
     holding_gap: f64,
     /// Whether a meter watches the contacts with a wall, by wall.
     watched_walls: Vec<bool>,
@@ -147,20 +147,16 @@ impl Model {
         &self.derived.pairs_with_walls[usize::from(kind) * self.setup.walls.len() + wall]
     }
 
-    /// The solid of a wall, in its own frame.
+    /// What a wall is made of, in its own frame.
     #[inline]
-    pub(crate) fn solid(&self, wall: usize) -> &Solid {
-        &self.derived.solids[wall]
+    pub(crate) fn touchable(&self, wall: usize) -> &Touchable {
+        &self.derived.touchables[wall]
     }
 
     /// Contacts that a pellet may have with a wall at the same time [-].
     #[inline]
     pub(crate) fn touches_at(&self, wall: usize) -> usize {
-        if self.derived.solids[wall].is_touched_at_many() {
-            MOST_TOUCHES
-        } else {
-            1
-        }
+        self.derived.touchables[wall].most_touches()
     }
 
     /// Gap up to which some bodies that have touched hold on to each other [m].
@@ -240,10 +236,10 @@ impl Derived {
             largest_diameter,
             periodic: PeriodicBox::new(&setup.domain.bounds, setup.domain.is_periodic),
             has_rotation: setup.laws.turns() || !setup.skips.rotation,
-            solids: setup
+            touchables: setup
                 .walls
                 .iter()
-                .map(|wall| Solid::new(&wall.shape))
+                .map(|wall| Touchable::new(&wall.shape))
                 .collect(),
             greatest_wall_speed: setup
                 .walls

@@ -56,7 +56,7 @@ pub(crate) fn search(model: &Model, state: &mut State, workspace: &mut Workspace
         chunk::ranges(count).collect(),
         |range| {
             let mut list = list_partners(&search, &range);
-            list.near_walls = list_walls(model, walls, &wall_tree, positions, &range);
+            list_walls(model, walls, &wall_tree, positions, &range, &mut list);
             let contacts = carry(model.laws(), &old, &list, &order, &range);
             (list, contacts)
         },
@@ -115,9 +115,9 @@ fn list_walls(
     tree: &WallTree,
     positions: &[Row],
     range: &Range<usize>,
-) -> Vec<NearWall> {
+    list: &mut ChunkList,
+) {
     let setup = model.setup();
-    let mut near_walls = Vec::new();
     let mut candidates = Vec::new();
     for (local, position) in positions[range.clone()].iter().enumerate() {
         let (center, radius) = (vector(position), position[3]);
@@ -130,17 +130,23 @@ fn list_walls(
         for &wall in &candidates {
             let index = wall as usize;
             let point = walls[index].pose.inverse_point(center);
-            let is_near = setup.walls[index].shape.distance(point) < radius + model.skin();
+            let reach = radius + model.skin();
+            let shape = &setup.walls[index].shape;
+            let is_near = shape.is_near(point, reach, &mut list.near_triangles);
             if is_near || !setup.skips.distant_walls {
                 let near = NearWall {
                     pellet: local as u32,
                     wall,
                 };
-                near_walls.extend(std::iter::repeat_n(near, model.touches_at(index)));
+                list.near_walls
+                    .extend(std::iter::repeat_n(near, model.touches_at(index)));
+                if model.touchable(index).is_mesh() {
+                    list.near_triangle_ends
+                        .push(list.near_triangles.len() as u32);
+                }
             }
         }
     }
-    near_walls
 }
 
 /// The lists and memories that the contacts had before the pellets were stored anew.

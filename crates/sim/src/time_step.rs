@@ -35,6 +35,9 @@ const RAYLEIGH_SHARE: f64 = 0.2;
 const FORCED_RAYLEIGH_SHARE: f64 = 0.4;
 /// Fewest steps per contact of a forced step [-].
 const FEWEST_FORCED_STEPS: f64 = 10.0;
+/// Way in one step at the fastest speed expected over the smallest radius, at most [-]: a pellet whose center has reached
+/// a thin wall is pushed out on its other side, and the limit of the overlap must be met before.
+const PASSING_SHARE: f64 = 0.25;
 /// Speed of a hit expected where nothing moves or falls [m/s].
 const LEAST_SPEED: f64 = 0.1;
 
@@ -55,13 +58,19 @@ pub(crate) fn choose(setup: &Setup) -> Result<TimeStep, SetupError> {
         shortest.bodies,
         1.0e6 * shortest.time
     );
+    let passing = PASSING_SHARE * smallest_radius(setup) / expected_speed;
     let (seconds, reason) = match setup.step {
         StepRequest::PeakForceError(error) => {
             let steps = setup.integrator.steps_per_contact(error);
             let by_force = shortest.time / steps;
             let by_wave = RAYLEIGH_SHARE * wave;
             let share = 100.0 * error;
-            if by_force <= by_wave {
+            if passing < by_force.min(by_wave) {
+                let reason = format!(
+                    "{PASSING_SHARE} of the smallest radius a step, so that nothing passes a thin wall; {hit}"
+                );
+                (passing, reason)
+            } else if by_force <= by_wave {
                 (
                     by_force,
                     format!("peak force within {share} %: {steps:.1} steps per contact; {hit}"),
@@ -76,6 +85,15 @@ pub(crate) fn choose(setup: &Setup) -> Result<TimeStep, SetupError> {
         }
         StepRequest::Fixed(step) => {
             let largest = (shortest.time / FEWEST_FORCED_STEPS).min(FORCED_RAYLEIGH_SHARE * wave);
+            if step > passing && passing < largest {
+                return Err(SetupError::new(
+                    "time.step",
+                    format!(
+                        "is {step:.3e} s; expected at most {passing:.3e} s, or pellets pass thin walls: at most {PASSING_SHARE} of the \
+                         smallest radius a step; {hit}; leave `step` out to have it chosen"
+                    ),
+                ));
+            }
             if step > largest {
                 return Err(SetupError::new(
                     "time.step",
@@ -171,6 +189,14 @@ pub(crate) fn stiffness_of_fastest_hit(setup: &Setup, materials: [usize; 2]) -> 
             );
             impact.effective_mass * (impact.speed / impact.greatest_approach()).powi(2)
         })
+        .fold(f64::INFINITY, f64::min)
+}
+
+fn smallest_radius(setup: &Setup) -> f64 {
+    setup
+        .pellets
+        .iter()
+        .map(|kind| kind.size.min_diameter() / 2.0)
         .fold(f64::INFINITY, f64::min)
 }
 

@@ -2,18 +2,18 @@
 
 use crate::motion::Motion;
 use crate::schedule::Schedule;
-use pelletflow_core::{Bounds, Pose, Shape, Vec3};
-use serde::{Deserialize, Serialize};
+use crate::wall_shape::WallShape;
+use pelletflow_core::{Bounds, Pose, Vec3};
 
 /// A piece of equipment.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Wall {
     /// Name in the scene.
     pub name: String,
     /// Index of its material [-].
     pub material: usize,
-    /// Its solid, in its own frame, which is the world's before it moves.
-    pub shape: Shape,
+    /// What it is made of, in its own frame, which is the world's before it moves.
+    pub shape: WallShape,
     /// How it moves.
     pub motion: Motion,
     /// Velocity of its surface beside its motion, as of a belt; only the part along the surface acts [m/s].

@@ -20,17 +20,32 @@ const SAME_CONTACT: f64 = 0.8;
 
 /// Adds the forces of all walls that the chunk lists.
 pub(crate) fn add_forces(chunk: &mut ForceChunk) {
+    let list = chunk.list;
     let mut first = 0;
-    while first < chunk.list.near_walls.len() {
-        let NearWall { pellet, wall } = chunk.list.near_walls[first];
+    let (mut mesh, mut first_triangle) = (0, 0);
+    while first < list.near_walls.len() {
+        let NearWall { pellet, wall } = list.near_walls[first];
         let places = first..first + chunk.model.touches_at(wall as usize);
         first = places.end;
-        touch_wall(chunk, pellet as usize, wall as usize, places);
+        let mut triangles: &[u32] = &[];
+        if chunk.model.touchable(wall as usize).is_mesh() {
+            let end = list.near_triangle_ends[mesh] as usize;
+            triangles = &list.near_triangles[first_triangle..end];
+            (mesh, first_triangle) = (mesh + 1, end);
+        }
+        touch_wall(chunk, pellet as usize, wall as usize, places, triangles);
     }
 }
 
-/// Adds the forces of all contacts of one pellet with one wall, which remember in `places`.
-fn touch_wall(chunk: &mut ForceChunk, local: usize, wall: usize, places: Range<usize>) {
+/// Adds the forces of all contacts of one pellet with one wall, which remember in `places`; of a mesh, with the triangles
+/// near the pellet.
+fn touch_wall(
+    chunk: &mut ForceChunk,
+    local: usize,
+    wall: usize,
+    places: Range<usize>,
+    triangles: &[u32],
+) {
     let mut is_free = [true; MOST_TOUCHES];
     if chunk.walls[wall].is_present {
         let a = chunk.range.start + local;
@@ -43,7 +58,9 @@ fn touch_wall(chunk: &mut ForceChunk, local: usize, wall: usize, places: Range<u
         } else {
             center
         };
-        for &surface in chunk.model.solid(wall).touches(seen, reach).as_slice() {
+        let touchable = chunk.model.touchable(wall);
+        let touches = touchable.touches(seen, reach, triangles);
+        for &surface in touches.as_slice() {
             let surface = Surface {
                 normal: if is_moving {
                     pose.direction(surface.normal)

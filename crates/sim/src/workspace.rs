@@ -28,8 +28,12 @@ pub(crate) struct ChunkList {
     pub(crate) offsets: Vec<u32>,
     /// Partners, rising for each pellet.
     pub(crate) partners: Vec<u32>,
-    /// Walls near a pellet, by pellet.
+    /// Walls near a pellet, by pellet; one that is touched at several places as many times in a row.
     pub(crate) near_walls: Vec<NearWall>,
+    /// Triangles near a pellet, of every near wall that is a mesh, in the order of the walls.
+    pub(crate) near_triangles: Vec<u32>,
+    /// End of those of each such wall.
+    pub(crate) near_triangle_ends: Vec<u32>,
 }
 
 /// Two pellets that touch.

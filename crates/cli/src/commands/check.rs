@@ -1,11 +1,13 @@
 //! `pelletflow check`.
 
+mod walls;
+
 use crate::args::CheckArguments;
 use crate::exit::{Exit, Failure};
 use crate::screen;
 use crate::table::{self, bytes, count, number, span};
-use pelletflow_scene::Scene;
-use pelletflow_sim::{Inlet, Rate, Simulation};
+use pelletflow_scene::{MeshReport, Scene};
+use pelletflow_sim::{Inlet, Rate, Simulation, WallTrials};
 use serde_json::{Value, json};
 
 /// Pellet steps per second and core: of a packed bed on an old computer, and of a loose flow on a new one [1/s].
@@ -22,10 +24,21 @@ pub(crate) fn check(arguments: &CheckArguments) -> Result<Exit, Failure> {
     let simulation = Simulation::new(scene.model.clone(), 0)
         .map_err(|errors| Failure::from(scene.locate(&errors)))?;
     let forecast = Forecast::new(&scene, &simulation);
-    if arguments.json {
-        screen::json(&forecast.json(&scene))?;
+    let trials = if arguments.walls {
+        let trials = WallTrials::run(&scene.model);
+        Some(trials.map_err(|error| Failure::new(Exit::Failed, error.to_string()))?)
     } else {
-        screen::result(&forecast.page(&scene))?;
+        None
+    };
+    if arguments.json {
+        let mut json = forecast.json(&scene);
+        if let Some(trials) = trials {
+            json["walls"] = trials.iter().map(walls::json).collect();
+        }
+        screen::json(&json)?;
+    } else {
+        let tried = trials.map(|trials| format!("\n\n{}", walls::page(&scene, &trials)));
+        screen::result(&(forecast.page(&scene) + &tried.unwrap_or_default()))?;
     }
     Ok(Exit::Done)
 }
@@ -124,6 +137,12 @@ impl Forecast {
                 ),
             ),
         ];
+        for mesh in &scene.meshes {
+            facts.push((format!("mesh of `{}`", mesh.wall), mesh.summary()));
+            for warning in mesh.warnings() {
+                facts.push((format!("warning: mesh of `{}`", mesh.wall), warning));
+            }
+        }
         for [what, reason] in &self.skipped {
             facts.push((format!("will skip: {what}"), reason.clone()));
         }
@@ -162,10 +181,35 @@ impl Forecast {
                 "wall_most_s": self.wall_time[0],
             },
             "domain": { "min_m": bounds.min.as_slice(), "max_m": bounds.max.as_slice() },
+            "meshes": scene.meshes.iter().map(mesh_json).collect::<Vec<_>>(),
             "skipped": skipped,
             "notes": scene.notes,
         })
     }
+}
+
+fn mesh_json(mesh: &MeshReport) -> Value {
+    let rim = mesh
+        .largest_rim
+        .map(|rim| json!({ "center_m": rim.center.as_slice(), "size_m": rim.size }));
+    json!({
+        "wall": mesh.wall,
+        "file": mesh.file,
+        "triangles": mesh.triangles,
+        "vertices": mesh.vertices,
+        "size_m": mesh.size.as_slice(),
+        "degenerate": mesh.degenerate,
+        "duplicates": mesh.duplicates,
+        "welded": mesh.welded,
+        "flipped": mesh.flipped,
+        "open_edges": mesh.open_edges,
+        "rims": mesh.rims,
+        "largest_rim": rim,
+        "crowded_edges": mesh.crowded_edges,
+        "unread_bytes": mesh.unread_bytes,
+        "is_repaired": mesh.is_repaired,
+        "warnings": mesh.warnings(),
+    })
 }
 
 /// Pellets that an inlet feeds in a whole run [-].

@@ -97,6 +97,7 @@ fn drive(
         scene_title: &scene.title,
         scene_text: &scene.text,
         scene_hash: &scene.hash,
+        scene_files: &scene.files,
         plan: &scene.plan,
         spheres_up_to: scene.output.spheres_up_to,
     };

@@ -24,7 +24,7 @@ impl Equipment {
             .walls
             .iter()
             .map(|wall| {
-                let mesh = Mesh::of(&wall.shape, &setup.domain.bounds);
+                let mesh = Mesh::of_wall(&wall.shape, &setup.domain.bounds);
                 entity(wall, &setup.materials[wall.material].name, &mesh)
             })
             .collect();

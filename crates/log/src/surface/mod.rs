@@ -10,14 +10,24 @@ mod cut;
 mod level;
 mod mesh;
 mod plane;
+mod sheet;
 mod turned;
 
 pub use mesh::Mesh;
 
 use pelletflow_core::shape::Profile;
 use pelletflow_core::{Bounds, Shape, Vec3};
+use pelletflow_sim::WallShape;
 
 impl Mesh {
+    /// The surface of a wall; one without end is shown as far as `bounds` reach [m].
+    pub fn of_wall(shape: &WallShape, bounds: &Bounds) -> Self {
+        match shape {
+            WallShape::Solid(shape) => Self::of(shape, bounds),
+            WallShape::Mesh(tree) => sheet::mesh(tree.mesh()),
+        }
+    }
+
     /// The surface of a shape; one without end is shown as far as `bounds` reach [m].
     pub fn of(shape: &Shape, bounds: &Bounds) -> Self {
         match shape {

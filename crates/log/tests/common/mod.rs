@@ -105,7 +105,7 @@ fn walls() -> Vec<Wall> {
     let wall = |name: &str, shape: Shape| Wall {
         name: name.into(),
         material: 1,
-        shape,
+        shape: shape.into(),
         motion: Motion::Fixed,
         surface_velocity: Vec3::zeros(),
         schedule: Schedule::always(),
@@ -178,6 +178,7 @@ pub(crate) fn run_into(
         scene_title: "A small hopper",
         scene_text: SCENE_TEXT,
         scene_hash: "0123",
+        scene_files: &[],
         plan,
         spheres_up_to,
     };

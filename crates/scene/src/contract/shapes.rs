@@ -2,10 +2,11 @@
 
 use super::GOOD;
 use super::good::setup;
-use pelletflow_core::{Shape, Vec3};
+use pelletflow_core::Vec3;
+use pelletflow_sim::WallShape;
 
 /// The scene with another shape for its wall.
-fn shape(written: &str) -> Shape {
+fn shape(written: &str) -> WallShape {
     let kept = "{ kind = \"half-space\", point = [0, 0, 0], normal = [0, 0, 2] }";
     setup(&GOOD.replacen(kept, written, 1))
         .walls

@@ -4,6 +4,7 @@ mod domain;
 mod feed;
 mod fill;
 mod material;
+mod mesh;
 mod meter;
 mod motion;
 mod run;
@@ -13,12 +14,16 @@ mod wall;
 
 use crate::expect::Expectations;
 use crate::key_path::KeyPath;
-use crate::mistakes::Findings;
+use crate::mesh::MeshReport;
+use crate::mistakes::{Findings, SceneError};
 use crate::named::Named;
 use crate::quantity::{Acceleration, Coordinate, Size, Velocity};
 use crate::spec::SceneSpec;
 use pelletflow_core::{UnitVector3, Vec3};
 use pelletflow_sim::{RunPlan, Setup};
+use std::path::Path;
+
+pub(crate) use mesh::MeshFile;
 
 /// A scene with its names resolved and its defaults filled in.
 #[derive(Debug, Clone)]
@@ -31,6 +36,18 @@ pub(crate) struct Resolved {
     pub(crate) expectations: Expectations,
     /// What was chosen for the user, in sentences.
     pub(crate) notes: Vec<String>,
+    /// Files that walls were made from, and what was found in them.
+    pub(crate) files: Vec<MeshFile>,
+    pub(crate) meshes: Vec<MeshReport>,
+}
+
+/// Why a scene could not be resolved.
+#[derive(Debug)]
+pub(crate) enum Unresolved {
+    /// Its tables do not go together.
+    Wrong(Findings),
+    /// A file that it names could not be read.
+    Unreadable(SceneError),
 }
 
 /// What is recorded, beside how often.
@@ -48,25 +65,40 @@ pub struct Strength {
 }
 
 /// Turns a scene into a setup, or says what in it does not go together.
-pub(crate) fn resolve(spec: &SceneSpec, name: &str) -> Result<Resolved, Findings> {
+///
+/// Files are sought in a directory.
+pub(crate) fn resolve(
+    spec: &SceneSpec,
+    name: &str,
+    directory: &Path,
+) -> Result<Resolved, Unresolved> {
     let mut resolver = Resolver {
         spec,
+        directory,
+        files: Vec::new(),
+        reports: Vec::new(),
+        unreadable: None,
         findings: Findings::default(),
         notes: Vec::new(),
     };
     let resolved = resolver.scene(name);
-    if resolver.findings.is_empty() {
-        Ok(resolved)
-    } else {
-        Err(resolver.findings)
+    match resolver.unreadable {
+        _ if !resolver.findings.is_empty() => Err(Unresolved::Wrong(resolver.findings)),
+        Some(error) => Err(Unresolved::Unreadable(error)),
+        None => Ok(resolved),
     }
 }
 
 /// What resolution works with; where something is wrong it notes that and goes on with a stand-in.
 struct Resolver<'s> {
     spec: &'s SceneSpec,
+    /// Where files of meshes are sought.
+    directory: &'s Path,
     findings: Findings,
     notes: Vec<String>,
+    files: Vec<MeshFile>,
+    reports: Vec<MeshReport>,
+    unreadable: Option<SceneError>,
 }
 
 impl Resolver<'_> {
@@ -75,7 +107,7 @@ impl Resolver<'_> {
         let materials = self.materials();
         let pairs = self.pairs();
         let pellets = self.pellets();
-        let walls = self.walls();
+        let walls = self.walls(&pellets);
         let fills = self.fills(&pellets);
         let inlets = self.inlets();
         let outlets = self.outlets();
@@ -115,6 +147,8 @@ impl Resolver<'_> {
                 skips: run::skips(&spec.skip),
             },
             notes: std::mem::take(&mut self.notes),
+            files: std::mem::take(&mut self.files),
+            meshes: std::mem::take(&mut self.reports),
         }
     }
 

@@ -4,10 +4,11 @@ use super::{Resolver, velocity};
 use crate::key_path::KeyPath;
 use crate::quantity::Moment;
 use crate::spec::wall::{GateState, ScheduleSpec, WallSpec};
-use pelletflow_sim::{Schedule, Wall};
+use pelletflow_core::Shape;
+use pelletflow_sim::{PelletKind, Schedule, Wall, WallShape};
 
 impl Resolver<'_> {
-    pub(super) fn walls(&mut self) -> Vec<Wall> {
+    pub(super) fn walls(&mut self, pellets: &[PelletKind]) -> Vec<Wall> {
         let spec = self.spec;
         spec.walls
             .iter()
@@ -16,13 +17,42 @@ impl Resolver<'_> {
                 Wall {
                     name: name.to_owned(),
                     material: self.index(&spec.materials, &wall.material, &path.key("material")),
-                    shape: self.shape(&wall.shape, &path.key("shape")),
+                    shape: self.wall_shape(name, wall, pellets, &path),
                     motion: self.motions(&wall.motion, &path.key("motion")),
                     surface_velocity: velocity(wall.surface_velocity),
                     schedule: self.schedule(wall, &path),
                 }
             })
             .collect()
+    }
+
+    /// What a wall is made of: a shape or a mesh.
+    fn wall_shape(
+        &mut self,
+        name: &str,
+        spec: &WallSpec,
+        pellets: &[PelletKind],
+        path: &KeyPath,
+    ) -> WallShape {
+        match (&spec.shape, &spec.mesh) {
+            (Some(shape), None) => return self.shape(shape, &path.key("shape")).into(),
+            (None, Some(mesh)) => {
+                if let Some(mesh) = self.mesh(name, mesh, pellets, &path.key("mesh")) {
+                    return mesh.into();
+                }
+            }
+            (Some(_), Some(_)) => self.findings.add(
+                &path.key("mesh"),
+                "`shape` and `mesh` are both given; a wall is one of the two: keep that, or make two walls",
+            ),
+            (None, None) => self.findings.add(
+                path,
+                "missing `shape` or `mesh`; write for example `shape = { kind = \"box\", center = [0, 0, 0], size = [1, 1, 0.01] }` \
+                 or `mesh = { file = \"chute.stl\", unit = \"mm\" }`",
+            ),
+        }
+        // Taken for a wall that cannot be, so that the checks can go on.
+        Shape::Sphere { radius: 1.0 }.into()
     }
 
     /// From 0 where no start is given, without end where no end is given.

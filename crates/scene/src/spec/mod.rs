@@ -4,6 +4,7 @@ pub(crate) mod expect;
 pub(crate) mod feed;
 pub(crate) mod header;
 pub(crate) mod material;
+pub(crate) mod mesh;
 pub(crate) mod meter;
 pub(crate) mod motion;
 pub(crate) mod run;

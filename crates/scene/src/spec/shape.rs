@@ -6,7 +6,7 @@ use serde::Deserialize;
 use serde_json::Value;
 
 /// Largest factor of a scaling [-]; beyond it a unit was mistaken.
-const LARGEST_FACTOR: f64 = 1.0e6;
+pub(super) const LARGEST_FACTOR: f64 = 1.0e6;
 
 /// A solid: its kind, and how it is turned and then moved.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]

@@ -1,5 +1,6 @@
 //! `[walls.NAME]`.
 
+use super::mesh::MeshSpec;
 use super::motion::MotionsSpec;
 use super::shape::ShapeSpec;
 use crate::quantity::{Moment, Velocity};
@@ -12,8 +13,10 @@ use serde::Deserialize;
 pub(crate) struct WallSpec {
     /// Name of the material.
     pub(crate) material: String,
-    /// Its solid.
-    pub(crate) shape: ShapeSpec,
+    /// Its solid; this or `mesh`.
+    pub(crate) shape: Option<ShapeSpec>,
+    /// Its triangles, from a file of CAD; this or `shape`.
+    pub(crate) mesh: Option<MeshSpec>,
     /// How it moves, or a list of motions, the innermost first; it stays where nothing is said.
     #[serde(default)]
     pub(crate) motion: MotionsSpec,

@@ -82,7 +82,8 @@ fn scene(meters: Vec<MeterKind>) -> Setup {
             shape: Shape::HalfSpace {
                 point: Vec3::zeros(),
                 normal: Vec3::z_axis(),
-            },
+            }
+            .into(),
             motion: Motion::Fixed,
             surface_velocity: Vec3::zeros(),
             schedule: Schedule::always(),
@@ -109,10 +110,7 @@ fn scene(meters: Vec<MeterKind>) -> Setup {
                 kind,
             })
             .collect(),
-        domain: Domain {
-            is_periodic: [false; 3],
-            bounds: Bounds::about_origin(Vec3::repeat(2.0)),
-        },
+        domain: Domain::closed(Bounds::about_origin(Vec3::repeat(2.0))),
         integrator: Integrator::default(),
         step: StepRequest::PeakForceError(1.0e-2),
         search: NeighborSearch::Auto,

@@ -1,0 +1,172 @@
+//! A mesh as written to triangles in the world, from its file.
+
+use super::{Resolver, point};
+use crate::key_path::KeyPath;
+use crate::mesh::{Repair, Soup, mend, read};
+use crate::mistakes::SceneError;
+use crate::number::show;
+use crate::spec::mesh::{MeshSpec, MeshUnitSpec};
+use pelletflow_core::{MeshError, TriangleMesh, UnitQuaternion, Vec3};
+use pelletflow_sim::PelletKind;
+use std::io;
+use std::path::{Component, Path, PathBuf};
+use std::sync::Arc;
+
+/// Longest side beyond which a unit was mistaken: no plant has a longer chute [m].
+const LARGEST: f64 = 200.0;
+/// Longest side over the smallest diameter below which it was, where no unit is given [-].
+const FEWEST_DIAMETERS: f64 = 5.0;
+
+/// A file that a wall was made from.
+#[derive(Debug, Clone)]
+pub(crate) struct MeshFile {
+    pub(crate) wall: String,
+    /// Path as written in the scene.
+    pub(crate) written: String,
+    pub(crate) bytes: Arc<[u8]>,
+}
+
+impl MeshFile {
+    /// Where a copy lies beside a copy of the scene: where the scene says, unless that is outside of its folder.
+    pub(crate) fn beside(&self) -> PathBuf {
+        let path = Path::new(&self.written);
+        let is_inside = |part: Component| matches!(part, Component::Normal(_) | Component::CurDir);
+        if path.components().all(is_inside) {
+            return path.to_owned();
+        }
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        PathBuf::from(format!("{}-{name}", self.wall))
+    }
+}
+
+impl Resolver<'_> {
+    /// The triangles of a wall; none where there is a mistake.
+    pub(super) fn mesh(
+        &mut self,
+        wall: &str,
+        spec: &MeshSpec,
+        pellets: &[PelletKind],
+        path: &KeyPath,
+    ) -> Option<TriangleMesh> {
+        let bytes = self.bytes(&spec.file, &path.key("file"))?;
+        let refuse = |cause: String| format!("`file` is \"{}\": {cause}", spec.file);
+        let soup = match read(Path::new(&spec.file), &bytes) {
+            Ok(soup) => self.placed(soup, spec, path),
+            Err(error) => {
+                let message = refuse(error.to_string());
+                self.findings.add(&path.key("file"), message);
+                return None;
+            }
+        };
+        let repair = match spec.repair {
+            Some(false) => Repair::No,
+            _ => Repair::Within(spec.weld.map(|distance| distance.0)),
+        };
+        let mended = match mend(&soup, repair) {
+            Ok(mended) => mended,
+            Err(error) => {
+                let cure = match (&error, repair) {
+                    (MeshError::Degenerate { .. }, Repair::No) => {
+                        "; set `repair = true` to have it dropped"
+                    }
+                    (_, Repair::Within(Some(_))) => "; lower `weld`, or leave it out",
+                    _ => "; export it again",
+                };
+                let message = refuse(format!("the mesh {error}{cure}"));
+                self.findings.add(&path.key("file"), message);
+                return None;
+            }
+        };
+        self.judge_size(mended.report.size.max(), spec, pellets, path);
+        let mut report = mended.report;
+        wall.clone_into(&mut report.wall);
+        report.file.clone_from(&spec.file);
+        self.reports.push(report);
+        self.files.push(MeshFile {
+            wall: wall.to_owned(),
+            written: spec.file.clone(),
+            bytes,
+        });
+        Some(mended.mesh)
+    }
+
+    fn bytes(&mut self, file: &str, key: &KeyPath) -> Option<Arc<[u8]>> {
+        let path = self.directory.join(file);
+        let read = if path.is_dir() {
+            Err(io::ErrorKind::IsADirectory.into())
+        } else {
+            std::fs::read(&path)
+        };
+        let cause = match read {
+            Ok(bytes) => return Some(bytes.into()),
+            Err(error) => match error.kind() {
+                io::ErrorKind::NotFound | io::ErrorKind::NotADirectory => "there is no such file",
+                io::ErrorKind::IsADirectory => "this is a directory",
+                _ => {
+                    self.unreadable = Some(SceneError::Unreadable {
+                        path,
+                        source: error,
+                    });
+                    return None;
+                }
+            },
+        };
+        self.findings.add(
+            key,
+            format!(
+                "`file` is \"{file}\": {cause} at {}; expected an STL or OBJ file, its path seen from the folder of the scene",
+                path.display()
+            ),
+        );
+        None
+    }
+
+    /// Taken to meters, scaled, turned and moved.
+    fn placed(&mut self, soup: Soup, spec: &MeshSpec, path: &KeyPath) -> Soup {
+        let (_, unit) = MeshUnitSpec::of(spec.unit);
+        let factor = unit * spec.scale.unwrap_or(1.0);
+        let (turn, about) = spec.rotate.as_ref().map_or_else(
+            || (UnitQuaternion::identity(), Vec3::zeros()),
+            |rotate| {
+                let axis = self.direction(rotate.axis, &path.key("rotate").key("axis"));
+                let turn = UnitQuaternion::from_axis_angle(&axis, rotate.angle.0);
+                (turn, rotate.about.map_or_else(Vec3::zeros, point))
+            },
+        );
+        let by = spec.translate.map_or_else(Vec3::zeros, point);
+        let place = |at: Vec3| turn * (factor * at - about) + about + by;
+        Soup {
+            vertices: soup.vertices.into_iter().map(place).collect(),
+            ..soup
+        }
+    }
+
+    /// A size that no plant has is that of a mistaken unit.
+    fn judge_size(&mut self, side: f64, spec: &MeshSpec, pellets: &[PelletKind], path: &KeyPath) {
+        let (unit, _) = MeshUnitSpec::of(spec.unit);
+        let assumed = match spec.unit {
+            Some(_) => format!("with `unit = \"{unit}\"`"),
+            None => format!("with its numbers taken for {unit}"),
+        };
+        let shown = show(side);
+        if side > LARGEST {
+            let message = format!(
+                "the mesh is {shown} m long {assumed}; expected at most {LARGEST} m: most CAD writes millimeters, add `unit = \"mm\"`"
+            );
+            self.findings.add(path, message);
+            return;
+        }
+        let smallest = pellets
+            .iter()
+            .map(|kind| kind.size.min_diameter())
+            .fold(f64::INFINITY, f64::min);
+        if spec.unit.is_none() && side < FEWEST_DIAMETERS * smallest {
+            let message = format!(
+                "the mesh is {shown} m long {assumed}, less than {FEWEST_DIAMETERS} of the smallest pellets of {} m; tell its unit, \
+                 for example `unit = \"mm\"`, and `unit = \"m\"` if it is as small as that",
+                show(smallest)
+            );
+            self.findings.add(path, message);
+        }
+    }
+}
