@@ -2,9 +2,9 @@
 
 mod common;
 
-use common::{GRAVITY, RADIUS, held, setup, simulation_on, wall};
+use common::{GRAVITY, RADIUS, held, setup, sheets, simulation_on, wall};
 use pelletflow::core::{PairProperties, Profile, Shape, Vec3};
-use pelletflow::sim::{Fill, FillAmount, Outlet, Schedule, Seats};
+use pelletflow::sim::{Fill, FillAmount, Outlet, Schedule, Seats, WallShape};
 use std::f64::consts::PI;
 
 /// Diameter of the pellets [m].
@@ -59,7 +59,7 @@ fn flow_over_beverloo(silo: impl Fn(f64, f64) -> Shape, diameters: f64) -> f64 {
         rolling_friction: 0.05,
         ..PairProperties::ELASTIC
     };
-    let mut setup = setup(pair.clone(), pair);
+    let mut setup = setup(pair, pair);
     setup.gravity = GRAVITY;
     let orifice = diameters / 2.0 * DIAMETER;
     // Twice as wide as the orifice, so that the bed flows in a core.
@@ -147,5 +147,91 @@ fn an_orifice_that_was_cut_lets_as_much_through_as_one_that_was_turned() {
         // About 1,500 pellets leave in half a second; two runs of a chaotic flow differ by a few percent.
         0.05,
         "it is the same silo",
+    );
+}
+
+/// Radii of the lower and the upper end of a conical hopper, and its height [m].
+const CONE: [f64; 3] = [0.06, 0.2, 0.24];
+
+/// Mean mass flow out of a conical hopper [kg/s], and the half width of its 95 % confidence interval.
+fn flow_out_of_a_cone(shape: impl Into<WallShape>) -> (f64, f64) {
+    let pair = PairProperties {
+        restitution: 0.5,
+        friction: 0.4,
+        rolling_friction: 0.05,
+        ..PairProperties::ELASTIC
+    };
+    let mut setup = setup(pair, pair);
+    setup.gravity = GRAVITY;
+    let [lower, upper, height] = CONE;
+    let opening = 0.3;
+    let mut gate = wall(
+        "gate",
+        tube(lower + 0.01, 0.01).translated(-0.011 * Vec3::z()),
+    );
+    gate.schedule = Schedule::opening_at(vec![opening]);
+    setup.walls = vec![wall("cone", shape), gate];
+    let inside = Shape::Cone {
+        lower_radius: lower - 0.002,
+        upper_radius: upper - 0.002,
+        half_length: height / 2.0,
+    };
+    setup.fills = vec![Fill {
+        name: "bed".into(),
+        pellets: 0,
+        seats: Seats::Lattice {
+            region: inside.translated(height / 2.0 * Vec3::z()),
+            amount: FillAmount::Count(3500),
+        },
+        velocity: Vec3::zeros(),
+        spin: Vec3::zeros(),
+    }];
+    setup.outlets = vec![Outlet {
+        name: "below".into(),
+        region: tube(0.5, 0.2).translated(-0.3 * Vec3::z()),
+    }];
+    let mut simulation = simulation_on(setup, 2);
+    let step = simulation.model().time_step().seconds;
+    let blocks = 10;
+    let block = 0.1;
+    let discharged: Vec<f64> = (0..=blocks)
+        .map(|index| {
+            let time = opening + 0.3 + block * f64::from(index);
+            let steps = ((time - simulation.time()) / step) as u64;
+            simulation.advance(steps).expect("it flows");
+            simulation.mass_ledger().discharged.mass
+        })
+        .collect();
+    let flows: Vec<f64> = discharged
+        .windows(2)
+        .map(|ends| (ends[1] - ends[0]) / block)
+        .collect();
+    let count = f64::from(blocks);
+    let mean = flows.iter().sum::<f64>() / count;
+    let variance = flows.iter().map(|flow| (flow - mean).powi(2)).sum::<f64>() / (count - 1.0);
+    // Student's t for nine degrees of freedom.
+    (mean, 2.262 * (variance / count).sqrt())
+}
+
+#[test]
+#[ignore = "minutes in release; `cargo xtask verify` runs it"]
+fn a_cone_and_its_mesh_of_480_sides_discharge_alike() {
+    let [lower, upper, height] = CONE;
+    let profile = Profile::Closed {
+        corners: vec![
+            [lower, 0.0],
+            [upper, height],
+            [upper + 0.01, height],
+            [lower + 0.01, 0.0],
+        ],
+    };
+    let (solid, solid_width) = flow_out_of_a_cone(Shape::Revolution { profile });
+    let (mesh, mesh_width) = flow_out_of_a_cone(sheets::cone(480, lower, upper, height));
+    held(
+        "flows",
+        "mass flow out of a cone of 480 facets over that out of a smooth one",
+        mesh / solid - 1.0,
+        solid_width.hypot(mesh_width) / solid,
+        "it is the same hopper; held to the 95 % confidence interval of the difference",
     );
 }

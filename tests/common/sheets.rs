@@ -20,27 +20,43 @@ pub(crate) fn square(side: f64, cells: u32) -> TriangleMesh {
     TriangleMesh::new(vertices, triangles).expect("a square is a mesh")
 }
 
-/// A cone about the z axis, wide end up, and its floor.
+/// A cone about the z axis, wide end up, open at both ends.
+pub(crate) fn cone(sides: u32, lower: f64, upper: f64, height: f64) -> TriangleMesh {
+    let vertices = rings(sides, lower, upper, height);
+    TriangleMesh::new(vertices, slopes(sides)).expect("a cone is a mesh")
+}
+
+/// The same with a floor.
 pub(crate) fn funnel(sides: u32, lower: f64, upper: f64, height: f64) -> TriangleMesh {
-    let ring = |radius: f64, z: f64| {
-        (0..sides).map(move |side| {
-            let angle = TAU * f64::from(side) / f64::from(sides);
-            Vec3::new(radius * angle.cos(), radius * angle.sin(), z)
+    let mut vertices = rings(sides, lower, upper, height);
+    vertices.push(Vec3::zeros());
+    let floor = (0..sides).map(|side| [2 * sides, (side + 1) % sides, side]);
+    let triangles = slopes(sides).into_iter().chain(floor).collect();
+    TriangleMesh::new(vertices, triangles).expect("a funnel is a mesh")
+}
+
+/// The lower and the upper end of a cone.
+fn rings(sides: u32, lower: f64, upper: f64, height: f64) -> Vec<Vec3> {
+    [(lower, 0.0), (upper, height)]
+        .into_iter()
+        .flat_map(|(radius, z)| {
+            (0..sides).map(move |side| {
+                let angle = TAU * f64::from(side) / f64::from(sides);
+                Vec3::new(radius * angle.cos(), radius * angle.sin(), z)
+            })
         })
-    };
-    let vertices = ring(lower, 0.0)
-        .chain(ring(upper, height))
-        .chain([Vec3::zeros()])
-        .collect();
-    let triangles = (0..sides)
+        .collect()
+}
+
+/// The triangles between the two.
+fn slopes(sides: u32) -> Vec<[u32; 3]> {
+    (0..sides)
         .flat_map(|side| {
             let next = (side + 1) % sides;
             [
                 [side, next, sides + next],
                 [side, sides + next, sides + side],
-                [2 * sides, next, side],
             ]
         })
-        .collect();
-    TriangleMesh::new(vertices, triangles).expect("a funnel is a mesh")
+        .collect()
 }
