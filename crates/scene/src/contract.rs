@@ -1,6 +1,7 @@
 //! What scenes promise: every mistake is found, named and put to its line.
 
 mod domain;
+mod fill;
 mod good;
 mod meters;
 mod mistakes;

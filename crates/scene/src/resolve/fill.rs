@@ -117,7 +117,7 @@ impl Resolver<'_> {
         let count = (SETTLED_FILLING * volume / kind.size.mean_volume()).round();
         if count < 1.0 {
             let bounds = region.bounds();
-            let corners = [bounds.min, bounds.max].map(|corner| show(corner.dot(&up)));
+            let corners = [bounds.min, bounds.max].map(|corner| rounded(corner.dot(&up)));
             self.findings.add(
                 &path,
                 format!(
@@ -133,7 +133,7 @@ impl Resolver<'_> {
             "{path}: {count} pellets up to {} m, estimated from {} m3 of the region below it and a settled bed that is \
              {SETTLED_FILLING} pellet; the level comes out within some percent",
             show(level),
-            show((volume * 1.0e6).round() / 1.0e6),
+            rounded(volume),
         ));
         FillAmount::Count(count as usize)
     }
@@ -141,6 +141,11 @@ impl Resolver<'_> {
     fn gravity(&self) -> Vec3 {
         vector(self.spec.scene.gravity.map(|Acceleration(value)| value))
     }
+}
+
+/// A number for a message, to a millionth.
+fn rounded(value: f64) -> String {
+    show((value * 1.0e6).round() / 1.0e6)
 }
 
 /// Volume of the part of a region that lies below a height along a direction [m³].
