@@ -71,6 +71,22 @@ region = {{ kind = \"box\", center = [0, 0, 1], size = [0.1, 0.1, 0.1] }}
 }
 
 #[test]
+fn a_belt_on_a_curved_wall_is_refused_with_the_cure() {
+    let text = format!(
+        "{GOOD}
+[walls.pulley]
+material = \"steel\"
+shape = {{ kind = \"sphere\", center = [0, 0, 0.5], radius = 0.1 }}
+surface_velocity = [\"2 m/s\", 0, 0]
+"
+    );
+    let error = Scene::parse(&text, "scene.toml", &[]).expect_err("a ball is no belt");
+    let expected = "walls.pulley.surface_velocity: moves the surface of a sphere along one straight line; \
+                    expected a belt of plane faces, such as a box or a plate; let a round wall turn by `motion`";
+    assert!(error.to_string().contains(expected), "{error}");
+}
+
+#[test]
 fn gates_belts_feeders_and_stops_are_read() {
     let setup = setup(&format!(
         "{GOOD}

@@ -57,7 +57,6 @@ const CASES: &[(&str, &str, &str)] = &[
     (WALL, "{ kind = \"scale\", factor = 0, of = { kind = \"sphere\", center = [0, 0, 0], radius = 1 } }", "`factor` is 0; expected more than 0 and at most"),
     (WALL, "{ kind = \"offset\", by = \"-1 mm\", of = { kind = \"sphere\", center = [0, 0, 0], radius = 1 } }", "`by` is \"-1 mm\"; expected more than 0 m"),
     (WALL, "{ kind = \"offset\", by = 1, of = { kind = \"torus\", center = [0, 0, 0], ring_radius = 1, tube_radius = 1 } }", "`tube_radius` is 1 m and `ring_radius` 1 m"),
-    (WALL, "{ kind = \"sphere\", center = [0, 0, 0], radius = 1 }\nsurface_velocity = [1, 0, 0]", "moves the surface of a sphere along one straight line; expected a belt of plane faces"),
     ("count = 10", "count = 0", "`count` is 0; expected at least 1"),
     ("count = 10", "count = 10.5", "`count` is 10.5; expected a whole number"),
     ("count = 10", "count = 10\nmass = 1", "`count` and `mass` are both given; keep one"),
