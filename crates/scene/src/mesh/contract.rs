@@ -195,8 +195,8 @@ fn what_is_wrong_is_counted_and_mended() {
     assert_eq!(report.degenerate, 2);
     assert_eq!(report.flipped, 1);
     assert_eq!(report.triangles, 4);
-    let told = "dropped 2 triangles without area; dropped 1 triangles there twice; welded 1 corners onto others; \
-                turned over 1 triangles";
+    let told = "dropped 2 triangles without area; dropped 1 triangles there twice; welded 1 corners near others; \
+                turned over 1 triangles against their neighbors";
     assert!(report.summary().ends_with(told), "{}", report.summary());
     let refused = mend(&soup, Repair::No).expect_err("a line");
     assert!(

@@ -58,8 +58,12 @@ impl MeshReport {
         for (verb, number, what) in [
             (verb("dropped"), self.degenerate, "triangles without area"),
             (verb("dropped"), self.duplicates, "triangles there twice"),
-            (verb("welded"), self.welded, "corners onto others"),
-            (verb("turned over"), self.flipped, "triangles"),
+            (verb("welded"), self.welded, "corners near others"),
+            (
+                verb("turned over"),
+                self.flipped,
+                "triangles against their neighbors",
+            ),
         ] {
             if number > 0 {
                 parts.push(format!("{verb} {number} {what}"));

@@ -45,9 +45,10 @@ fn plain(bytes: &[u8]) -> Vec<u8> {
     let mut plain = String::from("solid \n");
     for line in String::from_utf8_lossy(bytes).to_lowercase().lines() {
         let line = line.trim();
+        let is_frame = line.starts_with("solid") || line.starts_with("endsolid");
         if line.starts_with("facet") {
             plain.push_str("facet normal 0 0 1\n");
-        } else if !line.starts_with("solid") && !line.starts_with("endsolid") {
+        } else if !is_frame && !line.is_empty() {
             plain.push_str(line);
             plain.push('\n');
         }
