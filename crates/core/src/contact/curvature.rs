@@ -9,14 +9,21 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-/// Ratio of the curvatures up to which the mean stands for both [-]; the force then errs by less than 1e-5.
-const NEARLY_ROUND: f64 = 1.01;
-/// Power of the ratio of curvatures that the ratio of the axes nearly follows [-] (Hamrock & Brewe 1983).
-const AXES_POWER: f64 = 0.636;
-/// Steps of the secant method at most; four reach the last digits [-].
+/// Difference of the curvatures over their sum up to which the series below serves [-].
+const NEARLY_ROUND: f64 = 0.4;
+/// Powers of the square of that in the effective radius over that of the mean curvature, less 1 [-]: fitted to the exact
+/// solution, from which it differs by 3e-8 at most.
+const SERIES: [f64; 5] = [
+    0.666_666_81,
+    0.574_029_42,
+    0.526_865_91,
+    0.455_897_9,
+    0.707_279_44,
+];
+/// Steps of the secant method at most; five reach the last digits [-].
 const MOST_STEPS: u32 = 12;
-/// Error of the logarithm of the ratio of curvatures that is left [-].
-const CLOSE: f64 = 1.0e-12;
+/// Error of the root of the ratio of curvatures that is left [-].
+const CLOSE: f64 = 1.0e-13;
 
 /// Radius of the sphere that pushes a plane as two bodies of these relative principal curvatures push each other [m].
 ///
@@ -24,39 +31,47 @@ const CLOSE: f64 = 1.0e-12;
 pub fn effective_radius(relative_curvatures: [f64; 2]) -> f64 {
     let [one, other] = relative_curvatures;
     let mean = f64::midpoint(one, other);
-    let ratio = one.max(other) / one.min(other);
-    if ratio < NEARLY_ROUND {
-        return 1.0 / mean;
+    let difference = (one - other) / (one + other);
+    let squared = difference * difference;
+    if difference.abs() < NEARLY_ROUND {
+        let series = SERIES
+            .iter()
+            .rev()
+            .fold(0.0, |sum, coefficient| squared * (coefficient + sum));
+        return (1.0 + series) / mean;
     }
-    let axes = ratio_of_axes(ratio);
+    let axes = ratio_of_axes(one.min(other) / one.max(other));
     let (first, second) = elliptic_integrals(axes);
     FRAC_PI_2 * FRAC_PI_2 * second / (axes * axes * first * first * first * mean)
 }
 
-/// The shorter over the longer axis of the ellipse [-], from the ratio of the curvatures, more than 1 [-].
+/// The shorter over the longer axis of the ellipse [-], from the lesser over the greater curvature [-].
+///
+/// The axes nearly go with the power 0.64 of the curvatures (Hamrock & Brewe 1983). No function but the root is used, so
+/// that the bits are those of any platform.
 fn ratio_of_axes(ratio_of_curvatures: f64) -> f64 {
-    let goal = ratio_of_curvatures.ln();
-    let miss = |log_axes: f64| log_ratio_of_curvatures(log_axes.exp()) - goal;
-    let mut last = -AXES_POWER * goal;
+    let goal = ratio_of_curvatures.sqrt();
+    let miss = |axes: f64| root_of_curvatures(axes) - goal;
+    let mut last = goal * goal.sqrt().sqrt();
     let mut last_miss = miss(last);
-    let mut log_axes = last + AXES_POWER * last_miss;
+    let mut axes = last * (1.0 - last_miss / goal);
     for _ in 0..MOST_STEPS {
-        let new_miss = miss(log_axes);
-        if new_miss.abs() < CLOSE || new_miss == last_miss {
+        let new_miss = miss(axes);
+        if new_miss.abs() < CLOSE * goal || new_miss == last_miss {
             break;
         }
-        let step = new_miss * (log_axes - last) / (new_miss - last_miss);
-        (last, last_miss) = (log_axes, new_miss);
-        log_axes -= step;
+        let step = new_miss * (axes - last) / (new_miss - last_miss);
+        (last, last_miss) = (axes, new_miss);
+        axes -= step;
     }
-    log_axes.exp()
+    axes
 }
 
-/// Logarithm of B/A from b/a.
-fn log_ratio_of_curvatures(axes: f64) -> f64 {
+/// Root of A/B from b/a.
+fn root_of_curvatures(axes: f64) -> f64 {
     let (_, lack) = means(axes);
     let squared_eccentricity = (1.0 - axes) * (1.0 + axes);
-    ((squared_eccentricity - lack) / (axes * axes * lack)).ln()
+    axes * (lack / (squared_eccentricity - lack)).sqrt()
 }
 
 /// K and E from b/a.
@@ -108,7 +123,7 @@ mod tests {
     #[test]
     fn the_force_is_that_of_hertzs_pressure_over_an_ellipse() {
         // The potential of the pressure p₀ √(1 − x²/a² − y²/b²) (Johnson 1985, equations 3.62 to 3.64), a = 1, p₀ = E* = 1.
-        for axes in [0.99, 0.95, 0.9, 0.83, 0.82, 0.8, 0.7, 0.4, 0.1, 0.02] {
+        for axes in [0.99, 0.95, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.1, 0.02] {
             let half = 0.5 * axes;
             let approach = half * potential(axes, |_| 1.0);
             let along = half * potential(axes, |w| 1.0 / (1.0 + w));
@@ -116,9 +131,9 @@ mod tests {
             let force = 2.0 / 3.0 * std::f64::consts::PI * axes;
             let radius = effective_radius([2.0 * along, 2.0 * across]);
             let found = 4.0 / 3.0 * radius.sqrt() * approach.powf(1.5);
-            // The sum stands for the integral to about 1e-9.
+            // The sum stands for the integral to about 1e-9, and the series for the solution to 3e-8.
             assert!(
-                (found / force - 1.0).abs() < 1.0e-8,
+                (found / force - 1.0).abs() < 3.0e-8,
                 "b/a = {axes}: {}",
                 found / force
             );
@@ -142,10 +157,11 @@ mod tests {
 
     #[test]
     fn nearly_round_contacts_join_on_smoothly() {
-        let below = effective_radius([1.0, NEARLY_ROUND * (1.0 - 1.0e-9)]);
-        let above = effective_radius([1.0, NEARLY_ROUND * (1.0 + 1.0e-9)]);
-        // The radius errs by twice what the force may.
-        assert!((below / above - 1.0).abs() < 2.0e-5);
+        let ratio = (1.0 + NEARLY_ROUND) / (1.0 - NEARLY_ROUND);
+        let below = effective_radius([1.0, ratio * (1.0 - 1.0e-9)]);
+        let above = effective_radius([1.0, ratio * (1.0 + 1.0e-9)]);
+        // What the series is off.
+        assert!((below / above - 1.0).abs() < 3.0e-8);
         assert_eq!(effective_radius([4.0, 4.0]), 0.25);
     }
 }

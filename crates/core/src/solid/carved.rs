@@ -11,6 +11,7 @@ use super::{Touches, meeting, polygon};
 use crate::shape::revolution::winding;
 use crate::{Bounds, Profile, Shape, Surface, Vec3};
 use nalgebra::UnitVector3;
+use smallvec::SmallVec;
 
 /// Distance from a face at which a place counts as on it, over the radius of the ball [-].
 const ON_FACE: f64 = 1.0e-7;
@@ -22,9 +23,14 @@ const ALONG: f64 = 1.0e-6;
 pub(super) struct Carved {
     /// For centers inside of it.
     shape: Shape,
+    /// Where the faces stand; most share one frame.
+    frames: Vec<Similarity>,
     faces: Vec<Face>,
     tree: Tree,
 }
+
+/// One number for each face; most solids have few.
+type Values = SmallVec<[f64; 16]>;
 
 /// A face that the ball reaches, perhaps where it goes on beyond the solid.
 struct Near {
@@ -37,15 +43,24 @@ struct Near {
 
 impl Carved {
     pub(super) fn new(shape: &Shape) -> Self {
-        let mut faces = Vec::new();
+        let mut faces: Vec<Face> = Vec::new();
         let stand = Stand {
             placement: Similarity::identity(),
             moved: 0.0,
             is_reversed: false,
         };
         let tree = take_apart(shape, &stand, &mut faces);
+        let mut frames: Vec<Similarity> = Vec::new();
+        for face in &mut faces {
+            let known = frames.iter().position(|frame| *frame == face.placement);
+            face.frame = known.unwrap_or(frames.len());
+            if known.is_none() {
+                frames.push(face.placement);
+            }
+        }
         Self {
             shape: shape.clone(),
+            frames,
             faces,
             tree,
         }
@@ -53,19 +68,16 @@ impl Carved {
 
     pub(super) fn offer(&self, center: Vec3, touches: &mut Touches) {
         let reach = touches.reach();
-        let mut values = Vec::with_capacity(self.faces.len());
-        let mut near = Vec::new();
-        for (index, face) in self.faces.iter().enumerate() {
-            let surface = face.surface(center);
-            values.push(surface.distance);
-            if surface.distance.abs() < reach {
-                near.push(Near {
-                    index,
-                    surface,
-                    may_touch: face.may_be_within(reach, center),
-                });
-            }
-        }
+        let own: SmallVec<[Vec3; 4]> = self
+            .frames
+            .iter()
+            .map(|frame| frame.inverse_point(center))
+            .collect();
+        let values: Values = self
+            .faces
+            .iter()
+            .map(|face| face.distance_in_frame(own[face.frame]))
+            .collect();
         let outside = self.tree.value(&values);
         if outside >= reach {
             return;
@@ -74,8 +86,28 @@ impl Carved {
             touches.offer(self.shape.surface(center));
             return;
         }
+        let near: SmallVec<[Near; 8]> = self
+            .faces
+            .iter()
+            .enumerate()
+            .filter(|(index, _)| values[*index].abs() < reach)
+            .map(|(index, face)| Near {
+                index,
+                surface: face.surface(center),
+                may_touch: face.may_be_within(reach, center),
+            })
+            .collect();
+        if let [only] = &near[..] {
+            // All other faces are on the same side of its foot as of the center.
+            let mut at_foot = values;
+            at_foot[only.index] = 0.0;
+            if only.surface.distance > 0.0 && self.tree.value(&at_foot) == 0.0 {
+                touches.offer(only.surface);
+            }
+            return;
+        }
         let ball = Ball { center, reach };
-        let touchable: Vec<&Near> = near.iter().filter(|face| face.may_touch).collect();
+        let touchable: SmallVec<[&Near; 8]> = near.iter().filter(|face| face.may_touch).collect();
         for face in &touchable {
             if face.surface.distance <= 0.0 {
                 continue;
@@ -130,8 +162,8 @@ impl Carved {
     /// the center within that is straight to it, straight to it within one plane, or along the line of two.
     fn is_nearest_about(&self, place: Vec3, ball: &Ball, near: &[Near], values: &[f64]) -> bool {
         let tolerance = ON_FACE * ball.reach;
-        let mut values = values.to_vec();
-        let mut met: Vec<(usize, Vec3)> = Vec::new();
+        let mut values = Values::from_slice(values);
+        let mut met: SmallVec<[(usize, Vec3); 4]> = SmallVec::new();
         for face in near {
             let surface = self.faces[face.index].surface(place);
             values[face.index] = surface.distance;
@@ -214,6 +246,7 @@ impl Stand {
         faces.push(Face {
             kind,
             placement: self.placement,
+            frame: 0,
             moved: self.moved,
             is_reversed: self.is_reversed,
             bounds: self.placement.bounds(own_bounds).grown(margin),

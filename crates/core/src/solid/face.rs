@@ -11,6 +11,8 @@ use crate::{Bounds, Shape, Surface, Vec3};
 pub(super) struct Face {
     pub(super) kind: FaceKind,
     pub(super) placement: Similarity,
+    /// Which of the solid's frames that is.
+    pub(super) frame: usize,
     /// Distance by which it is moved outward [m].
     pub(super) moved: f64,
     /// Whether the solid is on its other side.
@@ -33,6 +35,11 @@ pub(super) enum FaceKind {
     },
 }
 
+/// Distance from the z axis; the library's own hypotenuse guards against overflow, at several times the cost.
+fn from_axis(point: Vec3) -> f64 {
+    (point.x * point.x + point.y * point.y).sqrt()
+}
+
 impl Face {
     /// The face seen from a point.
     pub(super) fn surface(&self, point: Vec3) -> Surface {
@@ -41,7 +48,7 @@ impl Face {
             FaceKind::Smooth(shape) => shape.surface(own),
             FaceKind::Slope { start, normal } => {
                 let distance =
-                    (own.x.hypot(own.y) - start[0]) * normal[0] + (own.z - start[1]) * normal[1];
+                    (from_axis(own) - start[0]) * normal[0] + (own.z - start[1]) * normal[1];
                 lifted(own, &HalfPlaneSurface::flat(distance, *normal))
             }
         };
@@ -54,6 +61,18 @@ impl Face {
         } else {
             surface
         }
+    }
+
+    /// Distance of a point, which is given in the face's own frame [m].
+    pub(super) fn distance_in_frame(&self, own: Vec3) -> f64 {
+        let distance = match &self.kind {
+            FaceKind::Smooth(shape) => shape.distance(own),
+            FaceKind::Slope { start, normal } => {
+                (from_axis(own) - start[0]) * normal[0] + (own.z - start[1]) * normal[1]
+            }
+        };
+        let moved = self.placement.scale() * distance - self.moved;
+        if self.is_reversed { -moved } else { moved }
     }
 
     /// Whether the part that can bound the solid may be as near as this to a point [m].

@@ -2,6 +2,7 @@
 
 use super::{Part, Touches};
 use crate::{Bounds, Shape, Surface, Vec3};
+use smallvec::SmallVec;
 
 /// How far out of the surface a touched place must be clear of the other parts, over the radius of the ball [-].
 pub(super) const CLEARANCE: f64 = 1.0e-3;
@@ -36,7 +37,7 @@ impl Together {
             first.offer(center, touches);
             return;
         };
-        let near: Vec<&Part> = [first, second].into_iter().chain(near).collect();
+        let near: SmallVec<[&Part; 8]> = [first, second].into_iter().chain(near).collect();
         for (index, part) in near.iter().enumerate() {
             let mut own = Touches::none(reach);
             part.offer(center, &mut own);
