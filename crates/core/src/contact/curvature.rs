@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn the_force_is_that_of_hertzs_pressure_over_an_ellipse() {
+    fn the_force_is_that_of_a_pressure_over_an_ellipse() {
         // The potential of the pressure p₀ √(1 − x²/a² − y²/b²) (Johnson 1985, equations 3.62 to 3.64), a = 1, p₀ = E* = 1.
         for axes in [0.99, 0.95, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.1, 0.02] {
             let half = 0.5 * axes;
