@@ -60,6 +60,34 @@ fn a_hit_on_a_baked_face_has_the_force_of_a_plane_from_outside_and_from_inside()
 }
 
 #[test]
+fn a_baked_distance_is_off_by_less_than_half_the_diagonal_of_a_cell() {
+    for (name, mesh) in [
+        (
+            "box of 500 x 400 x 300 mm",
+            sheets::block(Vec3::new(0.25, 0.2, 0.15)),
+        ),
+        (
+            "sphere of 500 mm in 3,968 triangles",
+            sheets::globe(0.25, 64),
+        ),
+    ] {
+        let stated = baked(mesh).deviation(RADIUS);
+        for (kind, off) in [
+            ("greatest", stated.greatest),
+            ("root mean square", stated.root_mean_square),
+        ] {
+            held(
+                "meshes",
+                &format!("{name} in cells of 2 mm, {kind} deviation over the cell"),
+                off / SPACING,
+                3.0_f64.sqrt() / 2.0,
+                "a distance changes by no more than the way",
+            );
+        }
+    }
+}
+
+#[test]
 fn a_pellet_rests_on_a_baked_sphere_within_the_stated_deviation() {
     let damped = PairProperties {
         restitution: 0.1,
