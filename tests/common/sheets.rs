@@ -35,6 +35,28 @@ pub(crate) fn funnel(sides: u32, lower: f64, upper: f64, height: f64) -> Triangl
     TriangleMesh::new(vertices, triangles).expect("a funnel is a mesh")
 }
 
+/// A box about the origin by half of its sides.
+pub(crate) fn block(half: Vec3) -> TriangleMesh {
+    let vertices = (0..8_u32)
+        .map(|corner| {
+            let sign = |axis: u32| f64::from(corner >> axis & 1) * 2.0 - 1.0;
+            half.component_mul(&Vec3::new(sign(0), sign(1), sign(2)))
+        })
+        .collect();
+    let triangles = [
+        [0, 2, 3, 1],
+        [4, 5, 7, 6],
+        [0, 1, 5, 4],
+        [2, 6, 7, 3],
+        [0, 4, 6, 2],
+        [1, 3, 7, 5],
+    ]
+    .iter()
+    .flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]])
+    .collect();
+    TriangleMesh::new(vertices, triangles).expect("a box is a mesh")
+}
+
 /// The lower and the upper end of a cone.
 fn rings(sides: u32, lower: f64, upper: f64, height: f64) -> Vec<Vec3> {
     [(lower, 0.0), (upper, height)]
@@ -59,4 +81,32 @@ fn slopes(sides: u32) -> Vec<[u32; 3]> {
             ]
         })
         .collect()
+}
+
+/// A sphere about the origin, cut along meridians and half as many parallels.
+pub(crate) fn globe(radius: f64, sides: u32) -> TriangleMesh {
+    let rows = sides / 2 - 1;
+    let mut vertices = vec![-radius * Vec3::z(), radius * Vec3::z()];
+    for row in 1..=rows {
+        let (out, up) = (TAU / 2.0 * f64::from(row) / f64::from(rows + 1)).sin_cos();
+        vertices.extend((0..sides).map(|side| {
+            let angle = TAU * f64::from(side) / f64::from(sides);
+            radius * Vec3::new(out * angle.cos(), out * angle.sin(), -up)
+        }));
+    }
+    let at = |row: u32, side: u32| 2 + row * sides + side % sides;
+    let caps = (0..sides).flat_map(|side| {
+        [
+            [0, at(0, side + 1), at(0, side)],
+            [1, at(rows - 1, side), at(rows - 1, side + 1)],
+        ]
+    });
+    let belts = (0..rows - 1).flat_map(|row| {
+        (0..sides).flat_map(move |side| {
+            let (a, b) = (at(row, side), at(row, side + 1));
+            let (c, d) = (at(row + 1, side), at(row + 1, side + 1));
+            [[a, b, d], [a, d, c]]
+        })
+    });
+    TriangleMesh::new(vertices, caps.chain(belts).collect()).expect("a globe is a mesh")
 }

@@ -7,6 +7,7 @@
 //! so that no two images of a pellet are partners of one.
 
 pub mod all_pairs;
+pub mod baked;
 pub mod grid;
 pub mod mesh;
 pub mod morton;
@@ -14,6 +15,7 @@ pub mod periodic;
 pub mod tree;
 pub mod walls;
 
+pub use baked::{BakeError, BakedMesh, Deviation};
 pub use grid::Grid;
 pub use mesh::MeshTree;
 pub use periodic::PeriodicBox;

@@ -46,6 +46,14 @@ impl MeshTree {
 
     /// Distance of a point [m] from the nearest triangle, never negative [m].
     pub fn distance(&self, point: Vec3) -> f64 {
+        self.nearest(point).1
+    }
+
+    /// Number of the triangle nearest to a point [m], and its distance [m].
+    ///
+    /// # Panics
+    /// Only for a point that is not a number.
+    pub fn nearest(&self, point: Vec3) -> (u32, f64) {
         let at = vector(point);
         self.boxes
             .find_best(
@@ -53,7 +61,7 @@ impl MeshTree {
                 |node: &BvhNode, _| node.aabb().distance_to_local_point(at, true),
                 |index, _| Some(self.mesh.triangle(index).distance(point)),
             )
-            .map_or(f64::INFINITY, |(_, distance)| distance)
+            .expect("a mesh has a triangle")
     }
 }
 

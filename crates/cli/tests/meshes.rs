@@ -71,6 +71,22 @@ fn tray() -> String {
     text + "endsolid tray\n"
 }
 
+/// The tray with a lid.
+fn chest() -> String {
+    let mut text = tray();
+    for corners in [
+        [[0, 0], [200, 0], [200, 200]],
+        [[0, 0], [200, 200], [0, 200]],
+    ] {
+        let at = corners
+            .map(|[x, y]| format!("vertex {x} {y} 80\n"))
+            .concat();
+        let facet = format!("facet normal 0 0 0\nouter loop\n{at}endloop\nendfacet\nendsolid");
+        text = text.replacen("endsolid", &facet, 1);
+    }
+    text
+}
+
 /// A directory with a scene and its mesh.
 fn directory(scene: &str, mesh: &[u8]) -> TempDir {
     let directory = TempDir::new().expect("a directory");
@@ -275,4 +291,70 @@ fn check_walls_drops_a_pellet_onto_faces_edges_tips_and_corners() {
         .lines()
         .find(|line| line.contains("block") && line.contains("corner"));
     assert!(row.is_some_and(|row| row.contains(" - ")), "{page}");
+}
+
+#[test]
+fn check_states_the_error_of_a_baked_mesh_and_warns_where_it_is_too_large() {
+    let bake = |spacing: &str| SCENE.replace("unit", &format!("bake = \"{spacing}\", unit"));
+    let inside = directory(&bake("2 mm"), chest().as_bytes());
+    let check = json(inside.path(), CHECK);
+    let baked = &check["meshes"][0]["bake"];
+    let number = |key: &str| baked[key].as_f64().expect("a number");
+    assert_eq!(number("spacing_m"), 0.002);
+    // Half of the diagonal of a cell is the most that interpolation can be off.
+    assert!(number("greatest_deviation_m") < 0.87 * 0.002, "{baked}");
+    let share = number("greatest_deviation_m") / 0.0075;
+    assert!((number("greatest_deviation_share") - share).abs() < 1.0e-12);
+    assert!(share > 0.01, "its edges are rounded: {baked}");
+    assert!(number("likely_spacing_m") < 0.0005, "{baked}");
+    let page = call(inside.path(), &CHECK[..2]).output;
+    assert!(page.contains("cells of 2 mm, "), "{page}");
+    assert!(
+        page.contains("expected at most 1 %: edges are rounded by a cell; leave `bake` out"),
+        "{page}"
+    );
+
+    let plain = directory(SCENE, chest().as_bytes());
+    assert!(json(plain.path(), CHECK)["meshes"][0]["bake"].is_null());
+}
+
+#[test]
+fn a_baked_chest_is_hit_as_its_triangles_are() {
+    let run = |scene: &str| {
+        let directory = directory(scene, chest().as_bytes());
+        json(
+            directory.path(),
+            &["run", "plant/scene.toml", "-o", "out", "--json", "--quiet"],
+        )["contacts"]["max_force_n"]
+            .as_f64()
+            .expect("a number")
+    };
+    let (triangles, baked) = (
+        run(SCENE),
+        run(&SCENE.replace("unit", "bake = \"2 mm\", unit")),
+    );
+    // Single precision of 80 mm against an overlap of some micrometers.
+    assert!(
+        (baked / triangles - 1.0).abs() < 1.0e-3,
+        "{baked} {triangles}"
+    );
+}
+
+#[test]
+fn an_open_mesh_is_not_baked_and_the_cure_is_named() {
+    refused(
+        &SCENE.replace("unit", "bake = \"2 mm\", unit"),
+        tray().as_bytes(),
+        "walls.tray.mesh.bake: `bake` is 0.002 m: the mesh is open along 4 edges, one about (",
+    );
+    refused(
+        &SCENE.replace("unit", "bake = \"2 mm\", unit"),
+        tray().as_bytes(),
+        "expected a closed surface with one side out: close it in CAD, or leave `bake` out",
+    );
+    refused(
+        &SCENE.replace("unit", "bake = \"0.01 mm\", unit"),
+        chest().as_bytes(),
+        "in cells of 0.00001 m; expected at most 2.0 GB: take a longer `bake`, or leave it out",
+    );
 }

@@ -28,7 +28,7 @@ mod walk;
 
 pub use expect::{ExpectationOutcome, Expectations};
 pub use measure::{MeasureError, measure};
-pub use mesh::{MeshReport, Rim};
+pub use mesh::{BakeReport, MeshReport, Rim};
 pub use mistakes::{Mistake, Mistakes, Place, SceneError};
 pub use overrides::{Override, OverrideError};
 pub use resolve::{OutputOptions, Strength};

@@ -55,6 +55,7 @@ pub use meter::{
 pub use model::Model;
 pub use motion::{Interpolation, Motion, MotionTable, Swing};
 pub use pellet::{PelletKind, PelletView};
+pub use pelletflow_broadphase::{BakeError, BakedMesh, Deviation};
 pub use plan::{RunPlan, StopCondition};
 pub use schedule::Schedule;
 pub use setup::{

@@ -1,6 +1,6 @@
 //! What a wall is made of: the one place that knows solids from meshes.
 
-use pelletflow_broadphase::MeshTree;
+use pelletflow_broadphase::{BakedMesh, MeshTree};
 use pelletflow_core::solid::MOST_TOUCHES;
 use pelletflow_core::{Bounds, Shape, ShapeError, Solid, Surface, Touches, TriangleMesh, Vec3};
 use std::sync::Arc;
@@ -15,6 +15,8 @@ pub enum WallShape {
     Solid(Shape),
     /// Thin sheets of triangles, touched from both sides.
     Mesh(Arc<MeshTree>),
+    /// A closed sheet of triangles, touched at the nearest point by its grid of distances.
+    Baked(Arc<BakedMesh>),
 }
 
 impl WallShape {
@@ -23,14 +25,16 @@ impl WallShape {
         match self {
             Self::Solid(shape) => shape.bounds(),
             Self::Mesh(tree) => tree.mesh().bounds(),
+            Self::Baked(baked) => baked.mesh().bounds(),
         }
     }
 
-    /// Distance of a point [m]: negative inside a solid, never negative from a mesh [m].
+    /// Distance of a point [m]: negative inside a solid, never negative from a mesh, and of its triangles if it is baked [m].
     pub fn distance(&self, point: Vec3) -> f64 {
         match self {
             Self::Solid(shape) => shape.distance(point),
             Self::Mesh(tree) => tree.distance(point),
+            Self::Baked(baked) => baked.tree().distance(point),
         }
     }
 
@@ -41,16 +45,16 @@ impl WallShape {
     pub fn surface(&self, point: Vec3) -> Surface {
         match self {
             Self::Solid(shape) => shape.surface(point),
-            Self::Mesh(tree) => {
-                let reach = tree.distance(point) + ROUNDING * tree.mesh().size();
-                let mut triangles = Vec::new();
-                tree.triangles_near(point, reach, &mut triangles);
-                let touches = tree.mesh().touches(&triangles, point, reach);
-                *touches
-                    .as_slice()
-                    .first()
-                    .expect("the nearest triangle is within reach")
-            }
+            Self::Mesh(tree) => nearest_surface(tree, point),
+            Self::Baked(baked) => nearest_surface(baked.tree(), point),
+        }
+    }
+
+    /// Itself, but a baked mesh as its triangles.
+    pub(crate) fn unbaked(&self) -> Self {
+        match self {
+            Self::Baked(baked) => Self::Mesh(Arc::clone(baked.tree())),
+            shape => shape.clone(),
         }
     }
 
@@ -59,6 +63,7 @@ impl WallShape {
         match self {
             Self::Solid(_) => None,
             Self::Mesh(tree) => Some(tree.mesh()),
+            Self::Baked(baked) => Some(baked.mesh()),
         }
     }
 
@@ -66,7 +71,7 @@ impl WallShape {
     pub(crate) fn curved_part(&self) -> Option<&'static str> {
         match self {
             Self::Solid(shape) => shape.curved_part(),
-            Self::Mesh(_) => None,
+            Self::Mesh(_) | Self::Baked(_) => None,
         }
     }
 
@@ -74,7 +79,7 @@ impl WallShape {
     pub(crate) fn validate(&self) -> Result<(), ShapeError> {
         match self {
             Self::Solid(shape) => shape.validate(),
-            Self::Mesh(_) => Ok(()),
+            Self::Mesh(_) | Self::Baked(_) => Ok(()),
         }
     }
 
@@ -87,6 +92,7 @@ impl WallShape {
                 tree.triangles_near(point, reach, triangles);
                 triangles.len() > before
             }
+            Self::Baked(baked) => baked.is_near(point, reach),
         }
     }
 }
@@ -96,6 +102,7 @@ impl PartialEq for WallShape {
         match (self, other) {
             (Self::Solid(shape), Self::Solid(other)) => shape == other,
             (Self::Mesh(tree), Self::Mesh(other)) => tree.mesh() == other.mesh(),
+            (Self::Baked(baked), Self::Baked(other)) => baked == other,
             _ => false,
         }
     }
@@ -113,6 +120,24 @@ impl From<TriangleMesh> for WallShape {
     }
 }
 
+impl From<BakedMesh> for WallShape {
+    fn from(baked: BakedMesh) -> Self {
+        Self::Baked(Arc::new(baked))
+    }
+}
+
+/// The surface of triangles nearest to a point.
+fn nearest_surface(tree: &MeshTree, point: Vec3) -> Surface {
+    let reach = tree.distance(point) + ROUNDING * tree.mesh().size();
+    let mut triangles = Vec::new();
+    tree.triangles_near(point, reach, &mut triangles);
+    let touches = tree.mesh().touches(&triangles, point, reach);
+    *touches
+        .as_slice()
+        .first()
+        .expect("the nearest triangle is within reach")
+}
+
 /// What a wall is made of, ready to be touched.
 #[derive(Debug, Clone)]
 pub(crate) enum Touchable {
@@ -120,6 +145,8 @@ pub(crate) enum Touchable {
     Solid(Solid),
     /// Triangles, of which a pellet is told those near it.
     Mesh(TriangleMesh),
+    /// A grid of distances.
+    Baked(Arc<BakedMesh>),
 }
 
 impl Touchable {
@@ -127,6 +154,7 @@ impl Touchable {
         match shape {
             WallShape::Solid(shape) => Self::Solid(Solid::new(shape)),
             WallShape::Mesh(tree) => Self::Mesh(tree.mesh().clone()),
+            WallShape::Baked(baked) => Self::Baked(Arc::clone(baked)),
         }
     }
 
@@ -134,6 +162,7 @@ impl Touchable {
     pub(crate) fn most_touches(&self) -> usize {
         match self {
             Self::Solid(solid) if !solid.is_touched_at_many() => 1,
+            Self::Baked(_) => 1,
             _ => MOST_TOUCHES,
         }
     }
@@ -147,6 +176,13 @@ impl Touchable {
         match self {
             Self::Solid(solid) => solid.touches(center, reach),
             Self::Mesh(mesh) => mesh.touches(triangles, center, reach),
+            Self::Baked(baked) => {
+                let mut touches = Touches::none(reach);
+                if let Some(surface) = baked.surface_within(center, reach) {
+                    touches.offer(surface);
+                }
+                touches
+            }
         }
     }
 }

@@ -139,6 +139,9 @@ impl Forecast {
         ];
         for mesh in &scene.meshes {
             facts.push((format!("mesh of `{}`", mesh.wall), mesh.summary()));
+            if let Some(bake) = mesh.bake {
+                facts.push((format!("baked mesh of `{}`", mesh.wall), bake.summary()));
+            }
             for warning in mesh.warnings() {
                 facts.push((format!("warning: mesh of `{}`", mesh.wall), warning));
             }
@@ -192,6 +195,17 @@ fn mesh_json(mesh: &MeshReport) -> Value {
     let rim = mesh
         .largest_rim
         .map(|rim| json!({ "center_m": rim.center.as_slice(), "size_m": rim.size }));
+    let bake = mesh.bake.map(|bake| {
+        json!({
+            "spacing_m": bake.spacing,
+            "memory_bytes": bake.bytes,
+            "greatest_deviation_m": bake.greatest,
+            "greatest_deviation_share": bake.greatest_share(),
+            "root_mean_square_deviation_m": bake.root_mean_square,
+            "root_mean_square_deviation_share": bake.root_mean_square_share(),
+            "likely_spacing_m": bake.likely_spacing(),
+        })
+    });
     json!({
         "wall": mesh.wall,
         "file": mesh.file,
@@ -208,6 +222,7 @@ fn mesh_json(mesh: &MeshReport) -> Value {
         "crowded_edges": mesh.crowded_edges,
         "unread_bytes": mesh.unread_bytes,
         "is_repaired": mesh.is_repaired,
+        "bake": bake,
         "warnings": mesh.warnings(),
     })
 }

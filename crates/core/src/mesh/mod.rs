@@ -5,10 +5,16 @@
 //! edge or on a corner, and each such place counts once: how finely a plane is cut must not be felt.
 
 mod contact;
+mod distance_grid;
 mod error;
+mod probe;
+mod sides;
 mod triangle;
 
+pub use distance_grid::{DistanceGrid, GridLayout, GridTooFine, MOST_MEMORY};
 pub use error::MeshError;
+pub use probe::Probes;
+pub use sides::{Sides, SidesError};
 pub use triangle::{Foot, FootOn, Triangle};
 
 use crate::{Bounds, Touches, Vec3};

@@ -25,6 +25,7 @@ impl Mesh {
         match shape {
             WallShape::Solid(shape) => Self::of(shape, bounds),
             WallShape::Mesh(tree) => sheet::mesh(tree.mesh()),
+            WallShape::Baked(baked) => sheet::mesh(baked.mesh()),
         }
     }
 

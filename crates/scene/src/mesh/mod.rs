@@ -1,5 +1,6 @@
 //! Meshes from files of CAD: read, mended and judged.
 
+mod bake;
 mod error;
 mod obj;
 mod repair;
@@ -7,6 +8,7 @@ mod report;
 mod rims;
 mod stl;
 
+pub use bake::BakeReport;
 pub(crate) use error::MeshFileError;
 pub(crate) use repair::{Repair, mend};
 pub use report::{MeshReport, Rim};

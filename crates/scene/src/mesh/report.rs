@@ -1,5 +1,6 @@
 //! What was found in a mesh, and what was done about it.
 
+use super::BakeReport;
 use pelletflow_core::Vec3;
 
 /// A mesh as it was read, and what was found in it.
@@ -35,6 +36,8 @@ pub struct MeshReport {
     pub unread_bytes: usize,
     /// Whether what can be mended was.
     pub is_repaired: bool,
+    /// The grid that stands in for it, where it is baked.
+    pub bake: Option<BakeReport>,
 }
 
 /// A line of open edges.
@@ -96,6 +99,7 @@ impl MeshReport {
                 self.crowded_edges
             ));
         }
+        warnings.extend(self.bake.and_then(|bake| bake.warning()));
         if self.unread_bytes > 0 {
             warnings.push(format!(
                 "{} bytes after the last triangle were not read; if triangles are missing, export it again",

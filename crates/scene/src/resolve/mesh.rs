@@ -2,12 +2,13 @@
 
 use super::{Resolver, point};
 use crate::key_path::KeyPath;
-use crate::mesh::{Repair, Soup, mend, read};
+use crate::mesh::{BakeReport, Repair, Soup, mend, read};
 use crate::mistakes::SceneError;
 use crate::number::show;
+use crate::quantity::Size;
 use crate::spec::mesh::{MeshSpec, MeshUnitSpec};
 use pelletflow_core::{MeshError, TriangleMesh, UnitQuaternion, Vec3};
-use pelletflow_sim::PelletKind;
+use pelletflow_sim::{BakedMesh, PelletKind, WallShape};
 use std::io;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
@@ -16,6 +17,8 @@ use std::sync::Arc;
 const LARGEST: f64 = 200.0;
 /// Longest side over the smallest diameter below which it was, where no unit is given [-].
 const FEWEST_DIAMETERS: f64 = 5.0;
+/// Skin over the largest diameter up to which a grid is asked, where no skin is given [-]; beyond, the triangles are.
+const SKIN_SHARE: f64 = 0.1;
 
 /// A file that a wall was made from.
 #[derive(Debug, Clone)]
@@ -47,7 +50,7 @@ impl Resolver<'_> {
         spec: &MeshSpec,
         pellets: &[PelletKind],
         path: &KeyPath,
-    ) -> Option<TriangleMesh> {
+    ) -> Option<WallShape> {
         let bytes = self.bytes(&spec.file, &path.key("file"))?;
         let refuse = |cause: String| format!("`file` is \"{}\": {cause}", spec.file);
         let soup = match read(Path::new(&spec.file), &bytes) {
@@ -77,8 +80,17 @@ impl Resolver<'_> {
                 return None;
             }
         };
-        self.judge_size(mended.report.size.max(), spec, pellets, path);
+        let is_plausible = self.judge_size(mended.report.size.max(), spec, pellets, path);
         let mut report = mended.report;
+        let shape = match spec.bake {
+            // Baking a mesh in a mistaken unit could take forever.
+            Some(Size(spacing)) if is_plausible => {
+                let (baked, bake) = self.baked(mended.mesh, spacing, pellets, path)?;
+                report.bake = Some(bake);
+                baked.into()
+            }
+            _ => mended.mesh.into(),
+        };
         wall.clone_into(&mut report.wall);
         report.file.clone_from(&spec.file);
         self.reports.push(report);
@@ -87,7 +99,38 @@ impl Resolver<'_> {
             written: spec.file.clone(),
             bytes,
         });
-        Some(mended.mesh)
+        Some(shape)
+    }
+
+    /// The mesh in a grid of distances, as far as pellets ask.
+    fn baked(
+        &mut self,
+        mesh: TriangleMesh,
+        spacing: f64,
+        pellets: &[PelletKind],
+        path: &KeyPath,
+    ) -> Option<(BakedMesh, BakeReport)> {
+        let (smallest, largest) = pellets
+            .iter()
+            .fold((f64::INFINITY, 0.0_f64), |range, kind| {
+                (
+                    range.0.min(kind.size.min_diameter() / 2.0),
+                    range.1.max(kind.size.max_diameter() / 2.0),
+                )
+            });
+        let skin = self.spec.contact.skin.as_ref();
+        let reach = largest + skin.map_or(SKIN_SHARE * 2.0 * largest, |Size(skin)| *skin);
+        match BakedMesh::new(mesh, spacing, reach) {
+            Ok(baked) => {
+                let report = BakeReport::new(&baked, smallest, largest);
+                Some((baked, report))
+            }
+            Err(error) => {
+                let message = format!("`bake` is {} m: {error}", show(spacing));
+                self.findings.add(&path.key("bake"), message);
+                None
+            }
+        }
     }
 
     fn bytes(&mut self, file: &str, key: &KeyPath) -> Option<Arc<[u8]>> {
@@ -141,8 +184,14 @@ impl Resolver<'_> {
         }
     }
 
-    /// A size that no plant has is that of a mistaken unit.
-    fn judge_size(&mut self, side: f64, spec: &MeshSpec, pellets: &[PelletKind], path: &KeyPath) {
+    /// Whether its size is one that plants have; otherwise its unit is mistaken.
+    fn judge_size(
+        &mut self,
+        side: f64,
+        spec: &MeshSpec,
+        pellets: &[PelletKind],
+        path: &KeyPath,
+    ) -> bool {
         let (unit, _) = MeshUnitSpec::of(spec.unit);
         let assumed = match spec.unit {
             Some(_) => format!("with `unit = \"{unit}\"`"),
@@ -154,7 +203,7 @@ impl Resolver<'_> {
                 "the mesh is {shown} m long {assumed}; expected at most {LARGEST} m: most CAD writes millimeters, add `unit = \"mm\"`"
             );
             self.findings.add(path, message);
-            return;
+            return false;
         }
         let smallest = pellets
             .iter()
@@ -167,6 +216,8 @@ impl Resolver<'_> {
                 show(smallest)
             );
             self.findings.add(path, message);
+            return false;
         }
+        true
     }
 }

@@ -37,8 +37,8 @@ impl Resolver<'_> {
         match (&spec.shape, &spec.mesh) {
             (Some(shape), None) => return self.shape(shape, &path.key("shape")).into(),
             (None, Some(mesh)) => {
-                if let Some(mesh) = self.mesh(name, mesh, pellets, &path.key("mesh")) {
-                    return mesh.into();
+                if let Some(shape) = self.mesh(name, mesh, pellets, &path.key("mesh")) {
+                    return shape;
                 }
             }
             (Some(_), Some(_)) => self.findings.add(

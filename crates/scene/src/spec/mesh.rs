@@ -24,6 +24,9 @@ pub(crate) struct MeshSpec {
     pub(crate) repair: Option<bool>,
     /// Distance up to which corners are one [m]; a millionth of the size of the mesh where none is given.
     pub(crate) weld: Option<Size>,
+    /// Length of the cells of a grid of distances that stands in for the triangles, baked once at the start [m]; the mesh must
+    /// be closed, and a pellet touches it at the nearest point only. The triangles themselves where none is given.
+    pub(crate) bake: Option<Size>,
 }
 
 /// A unit of length in a file of CAD.

@@ -30,12 +30,13 @@ pub(super) struct Place {
     pub(super) mean_curvature: f64,
 }
 
-/// The first place found for each spot, in the wall's frame, for a pellet of a radius [m].
+/// The first place found for each spot, in the wall's frame, for a pellet of a radius [m]; of a baked mesh, on its triangles.
 pub(super) fn find(
     shape: &WallShape,
     radius: f64,
     bounds: &Bounds,
 ) -> [Option<Place>; Spot::ALL.len()] {
+    let shape = &shape.unbaked();
     let finder = Finder {
         shape,
         touchable: Touchable::new(shape),
