@@ -129,7 +129,7 @@ fn rested_in(walls: &[Shape]) -> Simulation {
         friction: 0.3,
         ..PairProperties::ELASTIC
     };
-    let mut setup = setup(properties.clone(), properties);
+    let mut setup = setup(properties, properties);
     setup.gravity = GRAVITY;
     setup.walls = walls
         .iter()
