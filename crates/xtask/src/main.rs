@@ -29,7 +29,11 @@ enum Command {
     /// Runs the whole gate: format, spelling, dependencies, lints, documentation, every test, Python types.
     Check,
     /// Holds every claim against what is known, the slow ones too, and writes the tables and pictures of docs/verification.md.
-    Verify,
+    Verify {
+        /// Test files to run, without their ending; all, and the pictures, where none is named.
+        #[arg(value_parser = clap::builder::PossibleValuesParser::new(verify::TESTS))]
+        tests: Vec<String>,
+    },
 }
 
 fn main() -> ExitCode {
@@ -37,7 +41,7 @@ fn main() -> ExitCode {
     let outcome = match Command::parse() {
         Command::Test => test::run(&mut report),
         Command::Check => check::run(&mut report),
-        Command::Verify => verify::run(&mut report),
+        Command::Verify { tests } => verify::run(&mut report, &tests),
     };
     report.print();
     match outcome {
