@@ -30,7 +30,7 @@ pub struct Foot {
 }
 
 impl Triangle {
-    /// A vector across the face, counterclockwise about the corners, as long as twice the area [m²].
+    /// A vector across the face, counterclockwise about the corners, as long as twice the area \[m²\].
     #[inline]
     pub fn area_vector(&self) -> Vec3 {
         let [a, b, c] = self.corners;
