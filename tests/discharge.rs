@@ -181,7 +181,7 @@ fn flow_out_of_a_cone(shape: impl Into<WallShape>) -> (f64, f64) {
         pellets: 0,
         seats: Seats::Lattice {
             region: inside.translated(height / 2.0 * Vec3::z()),
-            amount: FillAmount::Count(3500),
+            amount: FillAmount::Count(3000),
         },
         velocity: Vec3::zeros(),
         spin: Vec3::zeros(),
