@@ -3,8 +3,8 @@
 mod common;
 
 use common::{
-    GRAVITY, ORE, RADIUS, STEEL, held, one, pellet, setup, sheets, simulation, simulation_on,
-    smooth, wall,
+    GRAVITY, ORE, RADIUS, STEEL, assert_same_bits, held, one, pellet, setup, sheets, simulation,
+    simulation_on, smooth, wall,
 };
 use pelletflow::core::{MaterialPair, PairProperties, Shape, TriangleMesh, Vec3};
 use pelletflow::impact::ElasticImpact;
@@ -44,7 +44,7 @@ fn a_hit_on_a_baked_face_has_the_force_of_a_plane_from_outside_and_from_inside()
         let peak = simulation.contact_statistics().max_force;
         // The step is chosen for 0.1 %.
         held(
-            "meshes",
+            "baked-meshes",
             claim,
             (peak / exact - 1.0).abs(),
             5.0e-3,
@@ -77,7 +77,7 @@ fn a_baked_distance_is_off_by_less_than_half_the_diagonal_of_a_cell() {
             ("root mean square", stated.root_mean_square),
         ] {
             held(
-                "meshes",
+                "baked-meshes",
                 &format!("{name} in cells of 2 mm, {kind} deviation over the cell"),
                 off / SPACING,
                 3.0_f64.sqrt() / 2.0,
@@ -152,14 +152,7 @@ fn pellets_in_a_baked_mesh_have_the_same_bits_for_any_threads_and_any_search() {
         simulation.advance(4000).expect("they settle");
         simulation.state_hash()
     };
-    let first = run(NeighborSearch::Grid, 1, true);
-    for (search, threads, distant_walls) in [
-        (NeighborSearch::Grid, 3, true),
-        (NeighborSearch::Tree, 2, true),
-        (NeighborSearch::AllPairs, 1, false),
-    ] {
-        assert_eq!(run(search, threads, distant_walls), first, "{search:?}");
-    }
+    assert_same_bits(run);
 }
 
 #[test]

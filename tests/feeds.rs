@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{GRAVITY, floor, setup, simulation, wall};
+use common::{GRAVITY, floor, run_until, setup, simulation, wall};
 use pelletflow::core::{PairProperties, Shape, Vec3};
 use pelletflow::sim::{
     Fill, FillAmount, Inlet, Model, Outlet, Rate, Schedule, Seats, Setup, Simulation,
@@ -45,11 +45,6 @@ fn shaft(rate: Rate) -> Setup {
         },
     }];
     setup
-}
-
-fn run_until(simulation: &mut Simulation, time: f64) -> Result<(), StepError> {
-    let steps = (time - simulation.time()) / simulation.model().time_step().seconds;
-    simulation.advance(steps.round() as u64)
 }
 
 #[test]

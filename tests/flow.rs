@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{GRAVITY, RADIUS, floor, one, pellet, setup, simulation, smooth, wall};
+use common::{GRAVITY, RADIUS, floor, one, pellet, run_until, setup, simulation, smooth, wall};
 use pelletflow::core::{PairProperties, Shape, Vec3};
 use pelletflow::sim::{
     Fill, FillAmount, Inlet, Model, Motion, Outlet, Rate, Schedule, Seats, Setup, Simulation,
@@ -40,11 +40,6 @@ fn shaft(rate: Rate) -> Setup {
         },
     }];
     setup
-}
-
-fn run_until(simulation: &mut Simulation, time: f64) -> Result<(), StepError> {
-    let steps = (time - simulation.time()) / simulation.model().time_step().seconds;
-    simulation.advance(steps.round() as u64)
 }
 
 #[test]

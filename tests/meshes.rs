@@ -3,8 +3,8 @@
 mod common;
 
 use common::{
-    GRAVITY, ORE, RADIUS, STEEL, floor, held, one, pellet, setup, sheets, simulation,
-    simulation_on, smooth, wall,
+    GRAVITY, ORE, RADIUS, STEEL, assert_same_bits, floor, held, one, pellet, setup, sheets,
+    simulation, simulation_on, smooth, wall,
 };
 use pelletflow::core::{MaterialPair, PairProperties, Shape, UnitVector3, Vec3};
 use pelletflow::impact::ElasticImpact;
@@ -196,14 +196,7 @@ fn pellets_in_a_mesh_have_the_same_bits_for_any_threads_and_any_search() {
         assert_eq!(simulation.mass_ledger().inside.count, 250);
         simulation.state_hash()
     };
-    let first = run(NeighborSearch::Grid, 1, true);
-    for (search, threads, distant_walls) in [
-        (NeighborSearch::Grid, 3, true),
-        (NeighborSearch::Tree, 2, true),
-        (NeighborSearch::AllPairs, 1, false),
-    ] {
-        assert_eq!(run(search, threads, distant_walls), first, "{search:?}");
-    }
+    assert_same_bits(run);
 }
 
 #[test]

@@ -15,8 +15,8 @@ pub(crate) use held::held;
 use pelletflow::core::{Bounds, ContactLaws, Material, PairProperties, Shape, UnitVector3, Vec3};
 use pelletflow::sim::{
     Domain, Fill, Integrator, Limits, Model, Motion, NamedMaterial, NeighborSearch, PelletKind,
-    PelletView, Schedule, Seats, Setup, Simulation, SizeDistribution, Skips, StepRequest, Wall,
-    WallShape,
+    PelletView, Schedule, Seats, Setup, Simulation, SizeDistribution, Skips, StepError,
+    StepRequest, Wall, WallShape,
 };
 
 /// Radius of the paper's pellet [m].
@@ -118,6 +118,26 @@ pub(crate) fn simulation(setup: Setup) -> Simulation {
 pub(crate) fn simulation_on(setup: Setup, threads: usize) -> Simulation {
     let model = Model::new(setup).expect("the setup has no mistakes");
     Simulation::new(model, threads).expect("the fills fit")
+}
+
+/// Runs up to a time [s], or until the run fails.
+pub(crate) fn run_until(simulation: &mut Simulation, time: f64) -> Result<(), StepError> {
+    let steps = (time - simulation.time()) / simulation.model().time_step().seconds;
+    simulation.advance(steps.round() as u64)
+}
+
+/// Asserts that a run ends in the same state for any number of threads and any search, distant walls skipped or not.
+///
+/// `run` takes the search, the threads, and whether distant walls are skipped, and gives a hash of the state.
+pub(crate) fn assert_same_bits(run: impl Fn(NeighborSearch, usize, bool) -> String) {
+    let first = run(NeighborSearch::Grid, 1, true);
+    for (search, threads, distant_walls) in [
+        (NeighborSearch::Grid, 3, true),
+        (NeighborSearch::Tree, 2, true),
+        (NeighborSearch::AllPairs, 1, false),
+    ] {
+        assert_eq!(run(search, threads, distant_walls), first, "{search:?}");
+    }
 }
 
 /// The pellet with a number.

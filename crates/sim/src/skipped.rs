@@ -70,10 +70,11 @@ pub(crate) fn list(model: &Model, state: &State, workspace: &Workspace) -> Vec<S
     }
     if setup.skips.distant_walls && !setup.walls.is_empty() && !state.pellets.is_empty() {
         let all = state.pellets.len() * setup.walls.len();
+        // A wall that is touched at several places is listed once for each.
         let near: usize = workspace
             .lists
             .iter()
-            .map(|list| list.near_walls.len())
+            .map(|list| list.near_walls.chunk_by(PartialEq::eq).count())
             .sum();
         skipped.push(Skipped {
             what: "distant walls",

@@ -108,7 +108,7 @@ fn place_of(
 }
 
 /// Effective radius of a pellet's contact with a wall, from its own radius [m].
-fn effective_radius(radius: f64, surface: &Surface) -> f64 {
+pub(crate) fn effective_radius(radius: f64, surface: &Surface) -> f64 {
     let relative = surface.principal_curvatures.map(|of_wall| {
         // The true radius of a sharp edge is unknown; it counts as flat.
         let of_wall = if of_wall.is_finite() { of_wall } else { 0.0 };

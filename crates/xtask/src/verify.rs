@@ -10,7 +10,7 @@ use std::fs;
 use std::ops::RangeInclusive;
 
 /// Test files that tell what they hold.
-pub(crate) const TESTS: [&str; 12] = [
+pub(crate) const TESTS: [&str; 13] = [
     "impact",
     "chung_ooi",
     "oblique",
@@ -21,6 +21,7 @@ pub(crate) const TESTS: [&str; 12] = [
     "discharge",
     "walls",
     "meshes",
+    "baked_meshes",
     "meters",
     "incline",
 ];

@@ -143,7 +143,7 @@ fn hit(model: &Model, wall: usize, place: &Place) -> Result<WallTrial, TrialErro
     // In a corner each face takes its share of the speed.
     let impact = ElasticImpact {
         effective_youngs_modulus: pair.effective_youngs_modulus,
-        effective_radius: 1.0 / (1.0 / radius + place.mean_curvature),
+        effective_radius: place.effective_radius,
         effective_mass: setup.mass(0, radius),
         speed: speed / (place.faces as f64).sqrt(),
     };

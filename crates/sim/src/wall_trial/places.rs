@@ -1,6 +1,7 @@
 //! Where a wall has a face, an edge, a tip and a corner that a pellet can meet freely.
 
 use super::{GAP, Spot};
+use crate::wall_contacts::effective_radius;
 use crate::wall_shape::{Touchable, WallShape};
 use pelletflow_core::{Bounds, Surface, Touches, TriangleMesh, Vec3};
 use std::collections::BTreeMap;
@@ -26,8 +27,8 @@ pub(super) struct Place {
     pub(super) way_out: Vec3,
     /// Faces that are met at once [-].
     pub(super) faces: usize,
-    /// Of the wall there; 0 at an edge [1/m].
-    pub(super) mean_curvature: f64,
+    /// Of the contact there [m].
+    pub(super) effective_radius: f64,
 }
 
 /// The first place found for each spot, in the wall's frame, for a pellet of a radius [m]; of a baked mesh, on its triangles.
@@ -96,7 +97,7 @@ impl Finder<'_> {
             start,
             way_out,
             faces: 1,
-            mean_curvature: touch.mean_curvature(),
+            effective_radius: effective_radius(self.radius, touch),
         })
     }
 
@@ -122,7 +123,7 @@ impl Finder<'_> {
             start,
             way_out,
             faces: normals.len(),
-            mean_curvature: 0.0,
+            effective_radius: self.radius,
         })
     }
 }
