@@ -84,6 +84,7 @@ Examples:
   pelletflow run hopper.toml
   pelletflow run hopper.toml -o out/wide --set walls.gate.opens_at=\"1 s\" --set fill.bed.count=2000
   pelletflow run hopper.toml --json --quiet | jq .contacts.max_force_n
+  pelletflow run hopper.toml --profile   show where the time went
 
 Ctrl-C ends the run after the current step; recording and summary are then written as for a finished run.")]
 pub(crate) struct RunArguments {
@@ -101,7 +102,10 @@ pub(crate) struct RunArguments {
     /// Print the summary as JSON, and nothing else on standard output.
     #[arg(long)]
     pub(crate) json: bool,
-    /// Show no progress and no table.
+    /// Show where the time went, phase by phase; JSON holds it anyway, under `performance.phases`.
+    #[arg(long)]
+    pub(crate) profile: bool,
+    /// Show no progress and no table but that of --profile.
     #[arg(short, long)]
     pub(crate) quiet: bool,
 }

@@ -146,6 +146,86 @@ fn a_quiet_run_says_nothing() {
     );
 }
 
+#[test]
+fn the_profile_shows_where_the_time_went_and_stays_out_of_json() {
+    let directory = TempDir::new().expect("a directory");
+    let path = directory.path();
+    assert_eq!(call(path, &["new", "drop"]).code, 0);
+    let run = call(path, &["run", "drop.toml", "--quiet", "--profile"]);
+    assert_eq!(run.code, 0, "{}", run.error);
+    let firsts: Vec<&str> = run
+        .output
+        .lines()
+        .filter_map(|line| line.split_whitespace().next())
+        .collect();
+    let summary = fs::read_to_string(path.join("out/drop/summary.json")).expect("written");
+    let summary: serde_json::Value = serde_json::from_str(&summary).expect("JSON");
+    let phases = summary["performance"]["phases"]
+        .as_object()
+        .expect("a table");
+    assert_eq!(firsts[0], "phase", "{}", run.output);
+    for phase in phases.keys() {
+        assert!(
+            firsts
+                .iter()
+                .any(|first| first.trim_end_matches(',') == phase),
+            "{phase} in {}",
+            run.output
+        );
+    }
+    assert_eq!(firsts.len(), phases.len() + 2, "{}", run.output);
+
+    let run = call(path, &["run", "drop.toml", "--json", "--profile"]);
+    let json: serde_json::Value = serde_json::from_str(&run.output).expect("JSON alone");
+    assert!(json["performance"]["phases"]["waiting"].is_number());
+}
+
+#[test]
+fn what_was_skipped_is_shown_with_why_and_what_it_saved() {
+    let directory = TempDir::new().expect("a directory");
+    let path = directory.path();
+    assert_eq!(call(path, &["new", "drop"]).code, 0);
+    let run = call(path, &["run", "drop.toml"]);
+    let summary = fs::read_to_string(path.join("out/drop/summary.json")).expect("written");
+    let summary: serde_json::Value = serde_json::from_str(&summary).expect("JSON");
+    let skipped = summary["skipped"].as_array().expect("a list");
+    assert!(!skipped.is_empty());
+    for row in skipped {
+        let parts = ["what", "reason", "saved"].map(|key| row[key].as_str().expect("text"));
+        let is_shown = |line: &str| parts.iter().all(|part| line.contains(part));
+        assert!(run.output.lines().any(is_shown), "{parts:?}");
+    }
+}
+
+/// The recording may grow to 40 blocks of half a kilobyte, in a program that is not killed for trying more.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_recording_that_cannot_grow_fails_the_run_with_code_4_and_the_summary_says_so() {
+    use std::process::Command;
+
+    let directory = TempDir::new().expect("a directory");
+    let path = directory.path();
+    assert_eq!(call(path, &["new", "hopper"]).code, 0);
+    let script = "trap '' XFSZ; ulimit -f 40; exec \"$0\" run hopper.toml --quiet \
+        --set 'time.end=500 s' --set 'stop.empty_after=500 s' --set 'output.frame_interval=1 ms'";
+    let run = Command::new("sh")
+        .args(["-c", script, env!("CARGO_BIN_EXE_pelletflow")])
+        .current_dir(path)
+        .output()
+        .expect("the shell starts");
+    let error = String::from_utf8(run.stderr).expect("text");
+    assert_eq!(run.status.code(), Some(4), "{error}");
+    assert!(
+        error.contains("cannot write out/hopper/run.mcap"),
+        "{error}"
+    );
+    let summary = fs::read_to_string(path.join("out/hopper/summary.json")).expect("written");
+    let summary: serde_json::Value = serde_json::from_str(&summary).expect("JSON");
+    assert_eq!(summary["ended"], "failed");
+    let failure = summary["failure"].as_str().expect("text");
+    assert!(error.contains(failure), "{failure}");
+}
+
 #[cfg(unix)]
 #[test]
 fn an_interrupted_run_closes_its_recording_and_writes_its_summary() {

@@ -1,12 +1,12 @@
 //! The course of a run: steps, and what is recorded between them.
 
+use crate::ending::{end_of, reason_of};
 use crate::message::event::Gravity;
-use crate::recording::{Due, Frame, Recording};
+use crate::recording::{Due, Entry, Recorder, RecordingTimes, Stopped};
 use crate::run::Progress;
 use crate::summary::Ended;
 use mcap::{McapError, McapResult};
-use pelletflow_core::Pose;
-use pelletflow_sim::{PelletView, RunPlan, Simulation, StepError, StopCondition};
+use pelletflow_sim::{RunPlan, Simulation, StepError};
 use std::fs::File;
 use std::io::{self, BufWriter};
 use std::ops::ControlFlow;
@@ -28,15 +28,24 @@ pub(crate) enum Stop {
     Output(McapError),
 }
 
-impl From<McapError> for Stop {
-    fn from(error: McapError) -> Self {
-        Self::Output(error)
+/// What breaks off the steps.
+enum Break {
+    Physics(StepError),
+    /// The recording cannot be written; finishing it tells why.
+    Recorder,
+}
+
+impl From<Stopped> for Break {
+    fn from(_: Stopped) -> Self {
+        Self::Recorder
     }
 }
 
 /// A run on its way, and what of it is recorded.
-pub(crate) struct Course {
-    recording: Recording<BufWriter<File>>,
+pub(crate) struct Course<'scope> {
+    recorder: Recorder<'scope, BufWriter<File>>,
+    /// Time that copying took.
+    copying: Duration,
     is_present: Vec<bool>,
     /// Step of the last frame [-].
     last_frame: Option<u64>,
@@ -44,24 +53,52 @@ pub(crate) struct Course {
     last_reading: Option<u64>,
 }
 
-impl Course {
+impl<'scope> Course<'scope> {
     /// A run of which nothing is recorded yet.
-    pub(crate) fn new(recording: Recording<BufWriter<File>>) -> Self {
+    pub(crate) fn new(recorder: Recorder<'scope, BufWriter<File>>) -> Self {
         Self {
-            recording,
+            recorder,
+            copying: Duration::ZERO,
             is_present: Vec::new(),
             last_frame: None,
             last_reading: None,
         }
     }
 
+    /// Steps to the end, records it whatever it is, and finishes the file; how it ended, and what recording took.
+    pub(crate) fn run(
+        mut self,
+        simulation: &mut Simulation,
+        plan: &RunPlan,
+        observer: &mut dyn FnMut(&Progress) -> ControlFlow<()>,
+    ) -> (Result<Ended, Stop>, RecordingTimes) {
+        let outcome = self.drive(simulation, plan, observer);
+        let (gravity, text) = match &outcome {
+            Ok(ended) => (Gravity::Information, reason_of(*ended).to_owned()),
+            Err(Break::Physics(error)) => (Gravity::Failure, error.to_string()),
+            Err(Break::Recorder) => (Gravity::Failure, reason_of(Ended::Failed).to_owned()),
+        };
+        // A recorder that has stopped tells why when it is finished.
+        let _ = self.end(simulation, gravity, text);
+        let (finished, times) = self.finish();
+        let outcome = match (outcome, finished) {
+            (Err(Break::Physics(error)), _) => Err(Stop::Physics(error)),
+            (_, Err(error)) => Err(Stop::Output(error)),
+            (Ok(ended), Ok(())) => Ok(ended),
+            (Err(Break::Recorder), Ok(())) => {
+                unreachable!("a recorder that stops has an error to tell")
+            }
+        };
+        (outcome, times)
+    }
+
     /// Steps to the end, recording what is due on the way.
-    pub(crate) fn drive(
+    fn drive(
         &mut self,
         simulation: &mut Simulation,
         plan: &RunPlan,
         observer: &mut dyn FnMut(&Progress) -> ControlFlow<()>,
-    ) -> Result<Ended, Stop> {
+    ) -> Result<Ended, Break> {
         let step = simulation.model().time_step().seconds;
         let start = simulation.time();
         let mut frame_due = Due::every(plan.frame_interval, step, start);
@@ -76,7 +113,7 @@ impl Course {
             let next = next.min(next_wall_change(simulation));
             simulation
                 .advance(stride(simulation.time(), next, step))
-                .map_err(Stop::Physics)?;
+                .map_err(Break::Physics)?;
             self.watch_walls(simulation)?;
             let time = simulation.time();
             if meters_due.is_now(time) {
@@ -87,7 +124,7 @@ impl Course {
             }
             let now = Instant::now();
             if now - last_flush >= FLUSH_INTERVAL {
-                self.recording.flush()?;
+                self.recorder.put(Entry::Flush)?;
                 last_flush = now;
             }
             if now - last_look >= OBSERVER_INTERVAL {
@@ -100,30 +137,28 @@ impl Course {
     }
 
     /// Records the beginning.
-    fn begin(&mut self, simulation: &Simulation) -> McapResult<()> {
-        let time = simulation.time();
+    fn begin(&mut self, simulation: &Simulation) -> Result<(), Stopped> {
         let text = format!(
             "begins with {} pellets; step {:.3e} s: {}",
             simulation.pellet_count(),
             simulation.model().time_step().seconds,
             simulation.model().time_step().reason
         );
-        self.recording.event(time, Gravity::Information, &text)?;
+        self.note(simulation, Gravity::Information, text)?;
         self.is_present = simulation.walls().map(|wall| wall.is_present).collect();
-        self.recording.walls(time, &self.is_present)?;
+        self.draw_walls(simulation)?;
         self.draw(simulation)?;
         self.read_meters(simulation)?;
         // A run killed in its first seconds shows its scene.
-        self.recording.flush()
+        self.recorder.put(Entry::Flush)
     }
 
     /// Records gates that have opened or closed.
-    fn watch_walls(&mut self, simulation: &Simulation) -> McapResult<()> {
-        let time = simulation.time();
+    fn watch_walls(&mut self, simulation: &Simulation) -> Result<(), Stopped> {
         let mut has_changed = false;
-        for (wall, was_present) in simulation.walls().zip(&mut self.is_present) {
-            if wall.is_present != *was_present {
-                *was_present = wall.is_present;
+        for wall in simulation.walls() {
+            if wall.is_present != self.is_present[wall.index] {
+                self.is_present[wall.index] = wall.is_present;
                 has_changed = true;
                 let name = &simulation.model().setup().walls[wall.index].name;
                 let what = if wall.is_present {
@@ -132,69 +167,97 @@ impl Course {
                     "is gone"
                 };
                 let text = format!("wall `{name}` {what}");
-                self.recording.event(time, Gravity::Information, &text)?;
+                self.note(simulation, Gravity::Information, text)?;
             }
         }
         if has_changed {
-            self.recording.walls(time, &self.is_present)?;
+            self.draw_walls(simulation)?;
         }
         Ok(())
     }
 
+    /// Records what happens now.
+    fn note(
+        &mut self,
+        simulation: &Simulation,
+        gravity: Gravity,
+        text: String,
+    ) -> Result<(), Stopped> {
+        self.recorder.put(Entry::Event {
+            time: simulation.time(),
+            gravity,
+            text,
+        })
+    }
+
+    /// Records which walls are there.
+    fn draw_walls(&mut self, simulation: &Simulation) -> Result<(), Stopped> {
+        self.recorder.put(Entry::Walls {
+            time: simulation.time(),
+            is_present: self.is_present.clone(),
+        })
+    }
+
     /// Records where everything is, once per step.
-    fn draw(&mut self, simulation: &Simulation) -> McapResult<()> {
+    fn draw(&mut self, simulation: &Simulation) -> Result<(), Stopped> {
         let step = simulation.step_count();
         if self.last_frame == Some(step) {
             return Ok(());
         }
         self.last_frame = Some(step);
-        let mut pellets: Vec<PelletView> = simulation.pellets().collect();
-        pellets.sort_unstable_by_key(|pellet| pellet.id);
-        let poses: Vec<Pose> = simulation.walls().map(|wall| wall.pose).collect();
-        self.recording.frame(&Frame {
-            time: simulation.time(),
-            pellets: &pellets,
-            poses: &poses,
-            mass: &simulation.mass_ledger(),
-            energy: &simulation.energy_ledger(),
-        })
+        let mut frame = self.recorder.blank()?;
+        let began = Instant::now();
+        frame.fill(simulation);
+        self.copying += began.elapsed();
+        self.recorder.put(Entry::Frame(frame))
     }
 
     /// Records what the meters read, once per step.
-    fn read_meters(&mut self, simulation: &Simulation) -> McapResult<()> {
+    fn read_meters(&mut self, simulation: &Simulation) -> Result<(), Stopped> {
         let step = simulation.step_count();
         if self.last_reading == Some(step) {
             return Ok(());
         }
         self.last_reading = Some(step);
-        self.recording
-            .meters(simulation.time(), &simulation.meter_readings())
+        let began = Instant::now();
+        let readings = simulation.meter_readings();
+        self.copying += began.elapsed();
+        self.recorder.put(Entry::Meters {
+            time: simulation.time(),
+            readings,
+        })
     }
 
-    /// Records the end, whatever it is, and finishes the file.
-    pub(crate) fn close(
-        mut self,
+    /// Records the end.
+    fn end(
+        &mut self,
         simulation: &Simulation,
-        ended: Ended,
-        failure: Option<&str>,
-    ) -> McapResult<()> {
-        let drawn = self
-            .draw(simulation)
-            .and_then(|()| self.read_meters(simulation));
-        let time = simulation.time();
-        let (gravity, text) = match failure {
-            Some(failure) => (Gravity::Failure, failure.to_owned()),
-            None => (Gravity::Information, reason_of(ended).to_owned()),
-        };
-        let noted = self.recording.event(time, gravity, &text);
-        let finished = self.recording.finish().and_then(|writer| {
+        gravity: Gravity,
+        text: String,
+    ) -> Result<(), Stopped> {
+        self.draw(simulation)?;
+        self.read_meters(simulation)?;
+        self.note(simulation, gravity, text)
+    }
+
+    /// Finishes the file; whether it is whole, and what recording took.
+    fn finish(self) -> (McapResult<()>, RecordingTimes) {
+        let waiting = self.recorder.waiting();
+        let began = Instant::now();
+        let (written, writing) = self.recorder.finish();
+        let finished = written.and_then(|writer| {
             writer
                 .into_inner()
                 .map_err(io::IntoInnerError::into_error)?
                 .sync_all()?;
             Ok(())
         });
-        drawn.and(noted).and(finished)
+        let times = RecordingTimes {
+            copying: self.copying,
+            waiting: waiting + began.elapsed(),
+            writing,
+        };
+        (finished, times)
     }
 }
 
@@ -213,47 +276,6 @@ fn next_wall_change(simulation: &Simulation) -> f64 {
         .copied()
         .filter(|&change| change > time)
         .fold(f64::INFINITY, f64::min)
-}
-
-/// Whether the run has ended, and why.
-fn end_of(simulation: &Simulation, plan: &RunPlan) -> Option<Ended> {
-    let time = simulation.time();
-    // The step nearest to the end is the last one.
-    if time + simulation.model().time_step().seconds / 2.0 >= plan.end_time {
-        return Some(Ended::EndTime);
-    }
-    plan.stop.iter().find_map(|condition| match *condition {
-        StopCondition::Empty { after } => {
-            (time >= after && simulation.pellet_count() == 0).then_some(Ended::Empty)
-        }
-        StopCondition::Settled { after, speed } => {
-            (time >= after && is_settled(simulation, speed)).then_some(Ended::Settled)
-        }
-        _ => None,
-    })
-}
-
-/// Whether the mean speed of the pellets, root mean square by mass, is below a bound [m/s].
-///
-/// Spin does not count: nothing stops a pellet from turning on the spot.
-fn is_settled(simulation: &Simulation, speed: f64) -> bool {
-    let (mass, squares) = simulation
-        .pellets()
-        .fold((0.0, 0.0), |(mass, squares), pellet| {
-            let square = pellet.mass * pellet.velocity.norm_squared();
-            (mass + pellet.mass, squares + square)
-        });
-    mass > 0.0 && squares < mass * speed * speed
-}
-
-fn reason_of(ended: Ended) -> &'static str {
-    match ended {
-        Ended::EndTime => "ends: the time asked for has passed",
-        Ended::Empty => "ends: no pellet is inside any more",
-        Ended::Settled => "ends: the bed has come to rest",
-        Ended::Interrupted => "ends: interrupted",
-        Ended::Failed => "ends: failed",
-    }
 }
 
 fn progress(simulation: &Simulation, plan: &RunPlan) -> Progress {

@@ -6,6 +6,7 @@
 
 pub mod accuracy;
 mod course;
+mod ending;
 mod error;
 mod frames;
 mod inspect;
@@ -14,6 +15,7 @@ mod message;
 mod output;
 mod patches;
 pub mod plot;
+mod profile;
 mod recording;
 mod records;
 mod run;
@@ -24,6 +26,7 @@ pub use error::{ReadError, RunError};
 pub use frames::{FrameRecord, Frames, PelletRecord, read_attachment, read_frames};
 pub use inspect::{AttachmentInspection, ChannelInspection, Inspection, inspect};
 pub use plot::{Axis, Chart, ChartError, Scale, Series, SeriesStyle};
+pub use profile::{PhaseCost, Profile};
 pub use run::{Progress, RunRequest, run};
 pub use summary::{
     BodySummary, ContactSummary, Ended, EnergySummary, MassSummary, MeterSummary, PatchSummary,

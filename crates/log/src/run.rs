@@ -5,15 +5,17 @@ use crate::error::RunError;
 use crate::layout::layout;
 use crate::output::Output;
 use crate::patches;
-use crate::recording::{Recording, Title};
-use crate::summary::{Ended, RunFacts, Summary};
+use crate::recording::{Recorder, Recording, Title};
+use crate::summary::{CountsBefore, Ended, RunFacts, Summary};
 use mcap::McapError;
-use pelletflow_sim::{RunPlan, Simulation};
+use pelletflow_sim::{RunPlan, Simulation, StepError};
 use std::collections::BTreeMap;
-use std::io;
+use std::fs::File;
+use std::io::{self, BufWriter};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::thread;
 use std::time::Instant;
 
 /// What to run, how long, and where to put it.
@@ -62,6 +64,9 @@ pub struct Progress {
 /// The observer is called about every 20 ms; the run stops when it breaks.
 /// However the run ends, the recording is finished and a summary is written.
 ///
+/// The recording is written by a thread of its own, which holds three frames at most: where they are not written
+/// fast enough, the run waits.
+///
 /// # Errors
 /// The physics failed, or a file could not be written.
 pub fn run(
@@ -70,66 +75,83 @@ pub fn run(
     observer: &mut dyn FnMut(&Progress) -> ControlFlow<()>,
 ) -> Result<Summary, RunError> {
     let began = Instant::now();
-    let full_speed = simulation.model().time_step().expected_speed;
-    let layout = layout(
-        &simulation.model().setup().domain.bounds,
-        &simulation.meter_readings(),
-        request.spheres_up_to,
-        full_speed,
-    );
+    let before = CountsBefore::of(simulation);
     let output = Output::create(request.directory)?;
-    output.write("scene.toml", request.scene_text)?;
-    for (path, bytes) in request.scene_files {
-        output.write_beside(path, bytes)?;
-    }
-    output.write("layout.json", &layout)?;
-    patches::write(&output, simulation)?;
-    let recording = output.path("run.mcap");
-    let in_recording = |error: McapError| RunError::output(&recording, as_io(error));
+    let recording = start(&output, simulation, request)?;
+    let path = output.path("run.mcap");
+    let (outcome, recording_times) = thread::scope(|scope| {
+        let recorder = Recorder::start(scope, recording)?;
+        Ok(Course::new(recorder).run(simulation, request.plan, observer))
+    })
+    .map_err(|error| RunError::output(&path, error))?;
 
-    let file = output.file("run.mcap")?;
-    let title = Title {
-        scene_text: request.scene_text,
-        layout: &layout,
-        facts: facts(simulation, request),
+    let (ended, failure) = match outcome {
+        Ok(ended) => (ended, None),
+        Err(Stop::Physics(error)) => (Ended::Failed, Some(Failure::Physics(error))),
+        Err(Stop::Output(error)) => {
+            let error = RunError::output(&path, as_io(error));
+            (Ended::Failed, Some(Failure::Output(error)))
+        }
     };
-    let setup = simulation.model().setup();
-    let recording_of_run = Recording::start(file, setup, &title, request.spheres_up_to, full_speed);
-    let particle_steps_before = simulation.particle_steps();
-    let contact_steps_before = simulation.contact_statistics().contact_steps;
-    let mut course = Course::new(recording_of_run.map_err(in_recording)?);
-    let outcome = course.drive(simulation, request.plan, observer);
-    let (ended, failure) = match &outcome {
-        Ok(ended) => (*ended, None),
-        Err(Stop::Physics(error)) => (Ended::Failed, Some(error.to_string())),
-        Err(Stop::Output(error)) => (Ended::Failed, Some(error.to_string())),
-    };
-    let closed = course.close(simulation, ended, failure.as_deref());
     let summary = Summary::new(
         simulation,
         &RunFacts {
             scene: request.scene_name,
             scene_hash: request.scene_hash,
             wall_time: began.elapsed().as_secs_f64(),
-            particle_steps_before,
-            contact_steps_before,
+            recording_times,
+            before,
             ended,
-            failure,
+            failure: failure.as_ref().map(ToString::to_string),
         },
     );
     let written = patches::write(&output, simulation).and_then(|()| output.write_summary(&summary));
-    match outcome {
-        Err(Stop::Physics(error)) => Err(RunError::Physics {
+    match failure {
+        Some(Failure::Physics(error)) => Err(RunError::Physics {
             error,
             summary: Box::new(summary),
         }),
-        Err(Stop::Output(error)) => Err(in_recording(error)),
-        Ok(_) => {
-            closed.map_err(in_recording)?;
-            written?;
-            Ok(summary)
-        }
+        Some(Failure::Output(error)) => Err(error),
+        None => written.map(|()| summary),
     }
+}
+
+/// What failed.
+#[derive(Debug, thiserror::Error)]
+#[error(transparent)]
+enum Failure {
+    Physics(StepError),
+    Output(RunError),
+}
+
+/// Writes what is known before the first step, and begins the recording.
+fn start(
+    output: &Output,
+    simulation: &Simulation,
+    request: &RunRequest,
+) -> Result<Recording<BufWriter<File>>, RunError> {
+    let setup = simulation.model().setup();
+    let full_speed = simulation.model().time_step().expected_speed;
+    let layout = layout(
+        &setup.domain.bounds,
+        &simulation.meter_readings(),
+        request.spheres_up_to,
+        full_speed,
+    );
+    output.write("scene.toml", request.scene_text)?;
+    for (path, bytes) in request.scene_files {
+        output.write_beside(path, bytes)?;
+    }
+    output.write("layout.json", &layout)?;
+    patches::write(output, simulation)?;
+    let title = Title {
+        scene_text: request.scene_text,
+        layout: &layout,
+        facts: facts(simulation, request),
+    };
+    let file = output.file("run.mcap")?;
+    Recording::start(file, setup, &title, request.spheres_up_to, full_speed)
+        .map_err(|error| RunError::output(&output.path("run.mcap"), as_io(error)))
 }
 
 fn facts(simulation: &Simulation, request: &RunRequest) -> BTreeMap<String, String> {

@@ -2,7 +2,9 @@
 
 use crate::message::series;
 use crate::patches;
-use pelletflow_sim::{MassLedger, PatchTable, Setup, Simulation, Skipped};
+use crate::profile;
+use crate::recording::RecordingTimes;
+use pelletflow_sim::{MassLedger, PatchTable, Phase, Setup, Simulation, Skipped};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fs;
@@ -158,7 +160,9 @@ pub struct PerformanceSummary {
     pub contact_steps_per_s: f64,
     /// Most memory that the process held [B]; unknown on some systems.
     pub peak_memory_bytes: Option<u64>,
-    /// Time spent in each part of the step [s], by name.
+    /// Time spent in each part of the run [s], by name.
+    ///
+    /// All but that of `writer`, which works while the run goes on, add up to the run; `other` is in no named part.
     pub phases: BTreeMap<String, f64>,
 }
 
@@ -204,12 +208,29 @@ pub(crate) struct RunFacts<'a> {
     pub(crate) scene_hash: &'a str,
     /// Time by the wall clock [s].
     pub(crate) wall_time: f64,
-    /// Pellets times steps before this run began [-].
-    pub(crate) particle_steps_before: u64,
-    /// Contacts times steps before this run began [-].
-    pub(crate) contact_steps_before: u64,
+    pub(crate) recording_times: RecordingTimes,
+    pub(crate) before: CountsBefore,
     pub(crate) ended: Ended,
     pub(crate) failure: Option<String>,
+}
+
+/// What a simulation had counted before the run began.
+pub(crate) struct CountsBefore {
+    /// Pellets times steps [-].
+    particle_steps: u64,
+    /// Contacts times steps [-].
+    contact_steps: u64,
+    phases: Vec<Phase>,
+}
+
+impl CountsBefore {
+    pub(crate) fn of(simulation: &Simulation) -> Self {
+        Self {
+            particle_steps: simulation.particle_steps(),
+            contact_steps: simulation.contact_statistics().contact_steps,
+            phases: simulation.phases(),
+        }
+    }
 }
 
 /// Version of the summary's keys [-].
@@ -278,15 +299,16 @@ impl Summary {
             performance: PerformanceSummary {
                 particle_steps_per_s: rate(
                     simulation.particle_steps(),
-                    facts.particle_steps_before,
+                    facts.before.particle_steps,
                 ),
-                contact_steps_per_s: rate(contacts.contact_steps, facts.contact_steps_before),
+                contact_steps_per_s: rate(contacts.contact_steps, facts.before.contact_steps),
                 peak_memory_bytes: peak_memory(),
-                phases: simulation
-                    .phases()
-                    .iter()
-                    .map(|phase| (phase.name.into(), phase.seconds))
-                    .collect(),
+                phases: profile::phases(
+                    facts.wall_time,
+                    &facts.before.phases,
+                    &simulation.phases(),
+                    &facts.recording_times,
+                ),
             },
             skipped: simulation.skipped().into_iter().map(skipped).collect(),
             meters: meters(simulation),

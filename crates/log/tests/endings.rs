@@ -3,7 +3,7 @@
 mod common;
 
 use common::{plan, record, run_into, setup};
-use pelletflow_log::{Ended, Inspection, RunError, Summary, inspect};
+use pelletflow_log::{Ended, Inspection, Profile, RunError, Summary, inspect, read_frames};
 use pelletflow_sim::{RunPlan, StopCondition};
 use serde_json::Value;
 use std::fs;
@@ -106,6 +106,86 @@ fn an_observer_that_breaks_interrupts_the_run_and_leaves_it_whole() {
         last_frame(&inspection),
         (summary.time.simulated_s * 1.0e9).round() * 1.0e-9
     );
+}
+
+#[test]
+fn an_interrupted_run_has_recorded_every_frame_that_was_due() {
+    let directory = tempfile::tempdir().expect("a temporary directory can be made");
+    let interval = 0.001;
+    let often = RunPlan {
+        frame_interval: interval,
+        ..plan(1.0e6)
+    };
+    let summary = run_into(directory.path(), setup(60), &often, 1000, &mut |progress| {
+        if progress.time < 0.03 {
+            ControlFlow::Continue(())
+        } else {
+            ControlFlow::Break(())
+        }
+    })
+    .expect("an interrupted run is no failure");
+    assert_eq!(summary.ended, Ended::Interrupted);
+    let recording = directory.path().join("run.mcap");
+    let times: Vec<f64> = read_frames(&recording)
+        .expect("the recording opens")
+        .map(|frame| frame.expect("every frame can be read").time)
+        .collect();
+    let due = (summary.time.simulated_s / interval + 0.5).floor() as usize;
+    // The first, those due, and the last, which may be due as well.
+    assert!(
+        times.len() == due + 1 || times.len() == due + 2,
+        "{} frames in {} s",
+        times.len(),
+        summary.time.simulated_s
+    );
+    assert!(times.is_sorted());
+    // Log times are whole nanoseconds.
+    let last = times.last().expect("there are frames");
+    assert!((last - summary.time.simulated_s).abs() < 1.0e-9);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_disk_that_is_full_before_the_first_step_is_told_and_no_step_is_taken() {
+    let directory = tempfile::tempdir().expect("a temporary directory can be made");
+    std::os::unix::fs::symlink("/dev/full", directory.path().join("run.mcap"))
+        .expect("a link can be made");
+    let go_on = &mut |_: &_| panic!("the run goes on");
+    let error = run_into(directory.path(), setup(60), &plan(1.0e6), 1000, go_on)
+        .expect_err("nothing can be written to a full disk");
+    let RunError::Output { path, source } = error else {
+        panic!("expected a failure of the output, not {error}");
+    };
+    assert_eq!(path, directory.path().join("run.mcap"));
+    assert_eq!(source.kind(), std::io::ErrorKind::StorageFull);
+}
+
+#[test]
+fn the_phases_add_up_to_the_run_and_the_writer_works_meanwhile() {
+    let directory = tempfile::tempdir().expect("a temporary directory can be made");
+    let summary = record(directory.path(), 0.05);
+    let mut phases = summary.performance.phases.clone();
+    let writer = phases.remove("writer").expect("the writer has worked");
+    assert!(writer > 0.0 && writer <= summary.time.wall_s, "{writer}");
+    assert!(phases.values().all(|&seconds| seconds >= 0.0), "{phases:?}");
+    assert!(phases["recording"] > 0.0 && phases["waiting"] > 0.0);
+    let sum: f64 = phases.values().sum();
+    // Rounding of ten numbers.
+    assert!((sum / summary.time.wall_s - 1.0).abs() < 1.0e-12, "{sum}");
+
+    let profile = Profile::of(&summary);
+    assert_eq!(profile.phases.len(), phases.len());
+    let shares: f64 = profile.phases.iter().map(|phase| phase.share).sum();
+    assert!((shares - 1.0).abs() < 1.0e-12, "{shares}");
+    let (rest, named) = profile.phases.split_last().expect("there are phases");
+    assert_eq!(rest.name, "other");
+    assert!(named.is_sorted_by(|a, b| a.seconds >= b.seconds));
+    let pellet_steps = 60.0 * summary.time.steps as f64;
+    let per_step = profile
+        .run
+        .seconds_per_pellet_step
+        .expect("pellets took steps");
+    assert!((per_step * pellet_steps / summary.time.wall_s - 1.0).abs() < 1.0e-12);
 }
 
 #[test]

@@ -1,21 +1,18 @@
 //! What messages promise, without a run.
 
 use super::{color, nanoseconds, pellets, series, spheres, timestamp};
+use crate::recording::DrawnPellet;
 use foxglove::messages::PointCloud;
 use pelletflow_core::Vec3;
-use pelletflow_sim::PelletView;
 use prost::Message;
 
-fn pellet(id: u32, speed: f64) -> PelletView {
-    PelletView {
+fn pellet(id: u32, speed: f64) -> DrawnPellet {
+    DrawnPellet {
         id,
-        kind: 0,
-        radius: 0.0075,
-        mass: 0.0065,
         position: Vec3::new(0.1 * f64::from(id), -2.5, 3.75),
-        velocity: Vec3::new(0.0, 0.6 * speed, 0.8 * speed),
-        spin: Vec3::zeros(),
-        max_normal_force: 12.5,
+        radius: 0.0075,
+        speed,
+        force: 12.5,
     }
 }
 

@@ -2,9 +2,9 @@
 
 use super::{WORLD, in_place, timestamp};
 use crate::frames::PelletRecord;
+use crate::recording::DrawnPellet;
 use foxglove::messages::packed_element_field::NumericType;
 use foxglove::messages::{PackedElementField, PointCloud};
-use pelletflow_sim::PelletView;
 
 /// The fields of a point, in order; each has four bytes.
 const FIELDS: [(&str, NumericType); 7] = [
@@ -20,7 +20,7 @@ const FIELD_BYTES: usize = 4;
 const POINT_BYTES: usize = FIELD_BYTES * FIELDS.len();
 
 /// All pellets at a time [s], in the order given.
-pub(crate) fn message(time: f64, pellets: &[PelletView]) -> PointCloud {
+pub(crate) fn message(time: f64, pellets: &[DrawnPellet]) -> PointCloud {
     let mut data = Vec::with_capacity(pellets.len() * POINT_BYTES);
     for pellet in pellets {
         for value in [
@@ -28,8 +28,8 @@ pub(crate) fn message(time: f64, pellets: &[PelletView]) -> PointCloud {
             pellet.position.y,
             pellet.position.z,
             pellet.radius,
-            pellet.velocity.norm(),
-            pellet.max_normal_force,
+            pellet.speed,
+            pellet.force,
         ] {
             data.extend_from_slice(&(value as f32).to_le_bytes());
         }

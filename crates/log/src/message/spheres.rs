@@ -1,18 +1,18 @@
 //! `/pellets/spheres`: pellets at their true size, colored by speed, where there are not too many.
 
 use super::{WORLD, color, timestamp, vector};
+use crate::recording::DrawnPellet;
 use foxglove::messages::scene_entity_deletion::Type;
 use foxglove::messages::{
     Pose, Quaternion, SceneEntity, SceneEntityDeletion, SceneUpdate, SpherePrimitive,
 };
 use pelletflow_core::Vec3;
-use pelletflow_sim::PelletView;
 
 /// One entity holds all spheres: its number stays, so that each frame takes the place of the last.
 const ENTITY: &str = "pellets";
 
 /// All pellets at a time [s]; `full_speed` [m/s] has the last color of the scale.
-pub(crate) fn message(time: f64, pellets: &[PelletView], full_speed: f64) -> SceneUpdate {
+pub(crate) fn message(time: f64, pellets: &[DrawnPellet], full_speed: f64) -> SceneUpdate {
     let spheres = pellets
         .iter()
         .map(|pellet| SpherePrimitive {
@@ -24,7 +24,7 @@ pub(crate) fn message(time: f64, pellets: &[PelletView], full_speed: f64) -> Sce
                 }),
             }),
             size: Some(vector(Vec3::repeat(2.0 * pellet.radius))),
-            color: Some(color::on_scale(pellet.velocity.norm() / full_speed)),
+            color: Some(color::on_scale(pellet.speed / full_speed)),
         })
         .collect();
     SceneUpdate {

@@ -1,9 +1,13 @@
-//! The recording: one MCAP file, its channels, and when they are written.
+//! The recording: one MCAP file, its channels, when they are written, and the thread that does.
 
 mod channel;
 mod due;
+mod frame;
+mod recorder;
 
 pub(crate) use due::Due;
+pub(crate) use frame::{DrawnPellet, Frame};
+pub(crate) use recorder::{Entry, Recorder, RecordingTimes, Stopped};
 
 use crate::message::equipment::Equipment;
 use crate::message::event::{self, Gravity};
@@ -11,8 +15,7 @@ use crate::message::{nanoseconds, pellets, series, spheres, transforms};
 use channel::{Channel, Foxglove, channel_for};
 use mcap::records::Metadata;
 use mcap::{Attachment, Compression, McapResult, WriteOptions, Writer};
-use pelletflow_core::Pose;
-use pelletflow_sim::{EnergyLedger, MassLedger, MeterReading, PelletView, Setup};
+use pelletflow_sim::{MeterReading, Setup};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::io::{Seek, Write};
@@ -30,18 +33,6 @@ pub(crate) struct Title<'a> {
     pub(crate) layout: &'a str,
     /// Facts of the run.
     pub(crate) facts: BTreeMap<String, String>,
-}
-
-/// What is drawn in every frame.
-pub(crate) struct Frame<'a> {
-    /// Simulated time [s].
-    pub(crate) time: f64,
-    /// Pellets, sorted by their number.
-    pub(crate) pellets: &'a [PelletView],
-    /// Where each wall is, in the order of the setup.
-    pub(crate) poses: &'a [Pose],
-    pub(crate) mass: &'a MassLedger,
-    pub(crate) energy: &'a EnergyLedger,
 }
 
 /// A recording being written.
@@ -77,7 +68,7 @@ impl<W: Write + Seek> Recording<W> {
         let mut writer = WriteOptions::new()
             .compression(Some(Compression::Zstd))
             .compression_level(COMPRESSION_LEVEL)
-            // Threads did not help, and they are the simulation's.
+            // Threads did not help, and they are the simulation's but for the one that writes.
             .compression_threads(0)
             .chunk_size(Some(CHUNK_BYTES))
             .library(format!("pelletflow {}", env!("CARGO_PKG_VERSION")))
@@ -117,7 +108,7 @@ impl<W: Write + Seek> Recording<W> {
         })
     }
 
-    /// Writes where everything is.
+    /// Writes where everything is; pellets in the order given.
     pub(crate) fn frame(&mut self, frame: &Frame) -> McapResult<()> {
         let time = nanoseconds(frame.time);
         // Every viewer waits for the frames before it draws what is in them.
@@ -128,12 +119,12 @@ impl<W: Write + Seek> Recording<W> {
             self.transforms_channel
                 .write(&mut self.writer, time, &message)?;
         }
-        let message = pellets::message(frame.time, frame.pellets);
+        let message = pellets::message(frame.time, &frame.pellets);
         self.pellets_channel
             .write(&mut self.writer, time, &message)?;
         let may_have_spheres = frame.pellets.len() <= self.spheres_up_to;
         if may_have_spheres {
-            let message = spheres::message(frame.time, frame.pellets, self.full_speed);
+            let message = spheres::message(frame.time, &frame.pellets, self.full_speed);
             self.spheres_channel
                 .write(&mut self.writer, time, &message)?;
         } else if self.has_spheres {
@@ -147,14 +138,14 @@ impl<W: Write + Seek> Recording<W> {
             &mut self.mass_channel,
             ("/ledger/mass", "mass-ledger"),
             time,
-            &series::mass(frame.mass),
+            &series::mass(&frame.mass),
         )?;
         write_row(
             &mut self.writer,
             &mut self.energy_channel,
             ("/ledger/energy", "energy-ledger"),
             time,
-            &series::energy(frame.energy),
+            &series::energy(&frame.energy),
         )
     }
 
