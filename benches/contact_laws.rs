@@ -1,9 +1,9 @@
 //! One contact over one step by every law: nanoseconds, one by one and in batches.
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use pelletflow::core::contact::batch::{Batch, LANES, Sphere};
+use pelletflow::core::contact::batch::{Batch, LANES, SpherePair};
 use pelletflow::core::contact::{ContactLaws, NormalLaw, Sampling, TangentialLaw, TurningLaw};
-use pelletflow::core::{ContactHistory, Material, MaterialPair, PairProperties, Vec3};
+use pelletflow::core::{ContactHistory, InstructionSet, Material, MaterialPair, PairProperties};
 use std::hint::black_box;
 
 const RADIUS: f64 = 7.5e-3;
@@ -54,27 +54,23 @@ fn batch() -> Batch {
     let mut batch = Batch::default();
     for lane in 0..LANES {
         let phase = lane as f64;
-        let sphere = |center: Vec3, sign: f64| Sphere {
-            center,
-            radius: RADIUS,
-            velocity: sign * Vec3::new(phase.sin(), (1.3 * phase).cos(), 0.2),
-            spin: 10.0 * sign * Vec3::new((0.7 * phase).cos(), 0.5, phase.sin()),
-            inverse_mass: 150.0,
-        };
+        let velocity = [phase.sin(), (1.3 * phase).cos(), 0.2].map(|speed| 2.0 * speed);
+        let spin = [(0.7 * phase).cos(), 0.5, phase.sin()].map(|spin| 10.0 * spin);
         let apart = 2.0 * RADIUS - 1.0e-4 * (1.0 + 0.5 * phase.cos());
-        let history = ContactHistory {
-            normal_force: 2.0,
-            ..ContactHistory::default()
+        let spheres = SpherePair {
+            between: [0.6 * apart, 0.0, 0.8 * apart, RADIUS],
+            other_radius: RADIUS,
+            velocity: [velocity[0], velocity[1], velocity[2], 300.0],
+            spins: [
+                [spin[0], spin[1], spin[2], 0.0],
+                [-spin[0], -spin[1], -spin[2], 0.0],
+            ],
         };
-        let center = apart * Vec3::new(0.6, 0.0, 0.8);
-        batch.set(
-            lane,
-            &sphere(center, 1.0),
-            &sphere(Vec3::zeros(), -1.0),
-            &history,
-        );
+        batch.set_spheres(lane, &spheres, true);
+        batch.set_history(lane, [0.0; 3], 2.0);
         batch.set_pair(lane, &pair());
     }
+    batch.meet(LANES, InstructionSet::widest());
     batch
 }
 
@@ -95,9 +91,12 @@ fn contact_laws(criterion: &mut Criterion) {
                 }
             });
         });
-        if laws.forces(&mut batch, LANES, &sampling) {
-            group.bench_function(format!("{name}/batch"), |bencher| {
-                bencher.iter(|| laws.forces(black_box(&mut batch), LANES, &sampling));
+        let available = InstructionSet::ALL
+            .into_iter()
+            .filter(|set| laws.has_batch() && set.is_available());
+        for set in available {
+            group.bench_function(format!("{name}/batch/{set:?}"), |bencher| {
+                bencher.iter(|| laws.forces(black_box(&mut batch), LANES, &sampling, set));
             });
         }
     }

@@ -95,6 +95,7 @@ fn setup(law: TangentialLaw, angle: f64) -> Setup {
         skin: None,
         limits: Limits::default(),
         skips: Skips::default(),
+        instructions: None,
     }
 }
 

@@ -105,6 +105,7 @@ pub(crate) fn silo(pellets: usize, radius: f64) -> Setup {
         skin: Some(0.1 * DIAMETER),
         limits: Limits::default(),
         skips: Skips::default(),
+        instructions: None,
     }
 }
 

@@ -65,6 +65,7 @@ pub(crate) fn setup(pellets: PairProperties, walls: PairProperties) -> Setup {
         skin: None,
         limits: Limits::default(),
         skips: Skips::default(),
+        instructions: None,
     }
 }
 

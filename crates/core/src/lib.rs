@@ -4,6 +4,7 @@
 
 pub mod bounds;
 pub mod contact;
+pub mod instructions;
 pub mod material;
 pub mod mesh;
 pub mod pose;
@@ -12,6 +13,7 @@ pub mod solid;
 
 pub use bounds::Bounds;
 pub use contact::{Contact, ContactForce, ContactHistory, ContactLaws};
+pub use instructions::InstructionSet;
 pub use material::{Material, MaterialPair, PairProperties};
 pub use mesh::{MeshError, TriangleMesh};
 pub use nalgebra::{UnitQuaternion, UnitVector3};

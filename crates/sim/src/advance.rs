@@ -4,137 +4,157 @@
 //! and the velocity that the contact laws see: predicted by the last acceleration to the full step, so that damping and
 //! friction see positions and velocities of one instant (Vyas et al. 2024); only semi-implicit Euler does without.
 
-use crate::chunk;
 use crate::model::Model;
-use crate::state::{Row, State, row, vector};
-use crate::workspace::{Load, Workspace};
-use pelletflow_core::Vec3;
+use crate::share::Share;
+use crate::state::{Row, row};
+use crate::tally::greater;
+use pelletflow_core::instructions::Task;
 
-/// What moving the pellets of one chunk showed.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct MotionTally {
-    /// Kinetic energy at the start of the step [J].
-    pub(crate) kinetic: f64,
-    /// Potential energy at the start of the step [J].
-    pub(crate) potential: f64,
-    /// Square of the greatest speed; not a number if any is not [m²/s²].
-    pub(crate) max_speed_squared: f64,
-}
-
-struct MotionChunk<'a> {
-    position: &'a mut [Row],
-    velocity: &'a mut [Row],
-    spin: &'a mut [Row],
-    half_step_velocity: &'a mut [Row],
-    half_step_spin: &'a mut [Row],
-    loads: &'a [Load],
-}
-
-/// Advances every pellet by one step.
-pub(crate) fn advance(model: &Model, state: &mut State, workspace: &Workspace) -> MotionTally {
-    let pellets = &mut state.pellets;
-    let size = chunk::size(pellets.len());
-    let work: Vec<MotionChunk> = pellets
-        .position
-        .chunks_mut(size)
-        .zip(pellets.velocity.chunks_mut(size))
-        .zip(pellets.spin.chunks_mut(size))
-        .zip(pellets.half_step_velocity.chunks_mut(size))
-        .zip(pellets.half_step_spin.chunks_mut(size))
-        .zip(workspace.loads.chunks(size))
-        .map(
-            |(((((position, velocity), spin), half_step_velocity), half_step_spin), loads)| {
-                MotionChunk {
-                    position,
-                    velocity,
-                    spin,
-                    half_step_velocity,
-                    half_step_spin,
-                    loads,
-                }
-            },
-        )
-        .collect();
-    let gravity = model.setup().gravity;
-    let time_step = model.time_step().seconds;
-    let integrator = model.setup().integrator;
-    let kick = Kick {
-        before: integrator.kick_before(state.step, time_step),
-        after: 0.5 * time_step,
-        prediction: integrator.prediction(time_step),
-        drift: time_step,
-    };
-    let has_rotation = model.has_rotation();
-    chunk::map(workspace.is_parallel, work, |mut chunk| {
-        let mut tally = translate(&mut chunk, gravity, &kick);
-        if has_rotation {
-            tally.kinetic += rotate(&mut chunk, &kick);
-        }
-        tally
-    })
-    .into_iter()
-    .fold(MotionTally::default(), MotionTally::merged)
+/// Moves the chunk's pellets by one step.
+pub(crate) fn advance(share: &mut Share) {
+    let kick = Kick::new(share.model, share.step);
+    let instructions = share.model.instructions();
+    instructions.run(Translation { share, kick });
+    if share.model.has_rotation() {
+        instructions.run(Rotation { share, kick });
+    } else {
+        share
+            .next_spin
+            .copy_from_slice(&share.pellets.spin[share.range.clone()]);
+    }
 }
 
 /// Times that the accelerations and velocities of one step act [s].
-struct Kick {
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Kick {
     /// Acceleration, up to the full step.
-    before: f64,
+    pub(crate) before: f64,
     /// Acceleration, from the full step on.
-    after: f64,
+    pub(crate) after: f64,
     /// Acceleration, beyond that for the contact laws of the next step.
-    prediction: f64,
+    pub(crate) prediction: f64,
     /// Velocity.
-    drift: f64,
+    pub(crate) drift: f64,
 }
 
-fn translate(chunk: &mut MotionChunk, gravity: Vec3, kick: &Kick) -> MotionTally {
-    let mut tally = MotionTally::default();
-    for (index, load) in chunk.loads.iter().enumerate() {
-        let inverse_mass = chunk.velocity[index][3];
-        let mass = 1.0 / inverse_mass;
-        let acceleration = vector(&load.force) * inverse_mass + gravity;
-        let before = vector(&chunk.half_step_velocity[index]);
-        let now = before + kick.before * acceleration;
-        let after = now + kick.after * acceleration;
-        let position = vector(&chunk.position[index]);
-        tally.kinetic += 0.5 * mass * now.norm_squared();
-        tally.potential -= mass * gravity.dot(&position);
-        let speed_squared = after.norm_squared();
-        tally.max_speed_squared = greater_or_nan(tally.max_speed_squared, speed_squared);
-        chunk.half_step_velocity[index] = row(after, 0.0);
-        chunk.velocity[index] = row(after + kick.prediction * acceleration, inverse_mass);
-        chunk.position[index] = row(position + kick.drift * after, chunk.position[index][3]);
-    }
-    tally
-}
-
-/// Turns the pellets of a chunk and gives their energy of spin [J].
-fn rotate(chunk: &mut MotionChunk, kick: &Kick) -> f64 {
-    let mut kinetic = 0.0;
-    for (index, load) in chunk.loads.iter().enumerate() {
-        let inverse_inertia = chunk.spin[index][3];
-        let acceleration = inverse_inertia * vector(&load.torque);
-        let now = vector(&chunk.half_step_spin[index]) + kick.before * acceleration;
-        let after = now + kick.after * acceleration;
-        kinetic += 0.5 * now.norm_squared() / inverse_inertia;
-        chunk.half_step_spin[index] = row(after, 0.0);
-        chunk.spin[index] = row(after + kick.prediction * acceleration, inverse_inertia);
-    }
-    kinetic
-}
-
-impl MotionTally {
-    fn merged(self, other: Self) -> Self {
+impl Kick {
+    pub(crate) fn new(model: &Model, step: u64) -> Self {
+        let time_step = model.time_step().seconds;
+        let integrator = model.setup().integrator;
         Self {
-            kinetic: self.kinetic + other.kinetic,
-            potential: self.potential + other.potential,
-            max_speed_squared: greater_or_nan(self.max_speed_squared, other.max_speed_squared),
+            before: integrator.kick_before(step, time_step),
+            after: 0.5 * time_step,
+            prediction: integrator.prediction(time_step),
+            drift: time_step,
         }
     }
 }
 
-/// The greater of two numbers, or NaN if one is: `f64::max` would drop it.
-fn greater_or_nan(a: f64, b: f64) -> f64 {
-    if a.is_nan() || a >= b { a } else { b }
+struct Translation<'a, 'b> {
+    share: &'a mut Share<'b>,
+    kick: Kick,
+}
+
+impl Task for Translation<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Self { share, kick } = self;
+        let gravity = row(share.model.setup().gravity, 0.0);
+        let positions = &share.pellets.position[share.range.clone()];
+        let velocities = &share.pellets.velocity[share.range.clone()];
+        let (mut kinetic, mut potential, mut fastest) = (0.0, 0.0, 0.0);
+        for ((((load, position), velocity), half_step), (next_position, next_velocity)) in share
+            .scratch
+            .loads
+            .iter()
+            .zip(positions)
+            .zip(velocities)
+            .zip(share.half_step_velocity.iter_mut())
+            .zip(
+                share
+                    .next_position
+                    .iter_mut()
+                    .zip(share.next_velocity.iter_mut()),
+            )
+        {
+            // Whole rows, companions and all: one instruction for four numbers.
+            let (inverse_mass, mass) = (velocity[3], half_step[3]);
+            let acceleration = moved(&gravity, inverse_mass, &load.force);
+            let now = moved(half_step, kick.before, &acceleration);
+            let after = moved(&now, kick.after, &acceleration);
+            kinetic += 0.5 * mass * squared(&now);
+            potential -= mass * dot(&gravity, position);
+            fastest = greater(fastest, squared(&after));
+            *next_position = with(moved(position, kick.drift, &after), position[3]);
+            *next_velocity = with(moved(&after, kick.prediction, &acceleration), inverse_mass);
+            *half_step = with(after, mass);
+        }
+        let tally = &mut share.scratch.tally;
+        tally.kinetic = kinetic;
+        tally.potential = potential;
+        tally.max_speed_squared = fastest;
+    }
+}
+
+struct Rotation<'a, 'b> {
+    share: &'a mut Share<'b>,
+    kick: Kick,
+}
+
+impl Task for Rotation<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Self { share, kick } = self;
+        let spins = &share.pellets.spin[share.range.clone()];
+        let mut kinetic = 0.0;
+        for (((load, spin), half_step), next_spin) in share
+            .scratch
+            .loads
+            .iter()
+            .zip(spins)
+            .zip(share.half_step_spin.iter_mut())
+            .zip(share.next_spin.iter_mut())
+        {
+            let (inverse_inertia, inertia) = (spin[3], half_step[3]);
+            let acceleration = moved(&[0.0; 4], inverse_inertia, &load.torque);
+            let now = moved(half_step, kick.before, &acceleration);
+            let after = moved(&now, kick.after, &acceleration);
+            kinetic += 0.5 * inertia * squared(&now);
+            *next_spin = with(
+                moved(&after, kick.prediction, &acceleration),
+                inverse_inertia,
+            );
+            *half_step = with(after, inertia);
+        }
+        share.scratch.tally.kinetic += kinetic;
+    }
+}
+
+#[inline(always)]
+pub(crate) fn moved(from: &Row, time: f64, rate: &Row) -> Row {
+    [
+        from[0] + time * rate[0],
+        from[1] + time * rate[1],
+        from[2] + time * rate[2],
+        from[3] + time * rate[3],
+    ]
+}
+
+#[inline(always)]
+pub(crate) fn with(row: Row, companion: f64) -> Row {
+    [row[0], row[1], row[2], companion]
+}
+
+#[inline(always)]
+pub(crate) fn dot(a: &Row, b: &Row) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+#[inline(always)]
+pub(crate) fn squared(row: &Row) -> f64 {
+    dot(row, row)
 }

@@ -37,3 +37,17 @@ pub(crate) fn map<W: Send, R: Send>(
         work.into_iter().map(run).collect()
     }
 }
+
+/// Runs one piece of work per chunk, in parallel where that pays.
+pub(crate) fn for_each<W: Send>(
+    is_parallel: bool,
+    work: impl ExactSizeIterator<Item = W>,
+    run: impl Fn(W) + Sync + Send,
+) {
+    if is_parallel && work.len() > 1 {
+        let work: Vec<W> = work.collect();
+        work.into_par_iter().for_each(run);
+    } else {
+        work.for_each(run);
+    }
+}

@@ -1,11 +1,11 @@
 //! Health: what makes a run stop rather than go on wrong.
 
-use crate::advance::MotionTally;
 use crate::error::StepError;
 use crate::model::Model;
 use crate::state::{State, vector};
-use crate::tally::{DeepestContact, ForceTally, Partner};
+use crate::tally::{DeepestContact, Partner, Tally};
 use crate::wall::{Wall, WallNow};
+use crate::workspace::Workspace;
 
 /// Overlap over the radius up to which a wall may appear on a pellet [-]: the energy that comes from nowhere is that of
 /// a fall through a millimeter or so.
@@ -18,11 +18,7 @@ const NEGLIGIBLE_THROUGHPUT: f64 = 1.0e-9;
 ///
 /// # Errors
 /// The deepest contact is past the limit.
-pub(crate) fn check_overlap(
-    model: &Model,
-    state: &State,
-    tally: &ForceTally,
-) -> Result<(), StepError> {
+pub(crate) fn check_overlap(model: &Model, state: &State, tally: &Tally) -> Result<(), StepError> {
     let limit = model.setup().limits.overlap_ratio;
     match tally.deepest {
         Some(DeepestContact {
@@ -93,13 +89,14 @@ pub(crate) fn check_gates(
 pub(crate) fn check_finite(
     model: &Model,
     state: &State,
-    motion: &MotionTally,
+    workspace: &Workspace,
 ) -> Result<(), StepError> {
-    if motion.max_speed_squared.is_finite() {
+    let tally = &workspace.tally;
+    if tally.max_speed_squared.is_finite() && tally.kinetic.is_finite() {
         return Ok(());
     }
-    let worst = state
-        .pellets
+    let worst = workspace
+        .next
         .velocity
         .iter()
         .position(|row| row.iter().any(|value| !value.is_finite()))

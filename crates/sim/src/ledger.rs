@@ -1,6 +1,6 @@
 //! The books of mass and energy, and what contacts have done.
 
-use crate::tally::ForceTally;
+use crate::tally::Tally;
 use serde::{Deserialize, Serialize};
 
 /// A number of pellets and their mass.
@@ -73,7 +73,7 @@ pub struct ContactStatistics {
 
 impl ContactStatistics {
     /// Enters what the contacts did in one step, among a number of pellets.
-    pub(crate) fn enter(&mut self, step: &ForceTally, pellets: usize) {
+    pub(crate) fn enter(&mut self, step: &Tally, pellets: usize) {
         self.open = step.open;
         let ends = 2 * step.open - step.open_with_walls;
         self.mean_coordination = ends as f64 / pellets.max(1) as f64;

@@ -94,6 +94,11 @@ impl ContactMemories {
         !is_over
     }
 
+    /// Whether a contact is open.
+    pub(crate) fn is_open(&self, slot: usize) -> bool {
+        self.rows[slot].steps > 0
+    }
+
     /// Forgets a contact that is over.
     pub(crate) fn forget(&mut self, slot: usize) {
         self.rows[slot] = ContactMemory::default();
@@ -127,6 +132,16 @@ impl ContactMemories {
                 }
             }
         }
+    }
+
+    /// Remembers a contact as its partner does.
+    pub(crate) fn adopt(&mut self, slot: usize, other: &Self, theirs: usize, laws: ContactLaws) {
+        self.rows[slot] = other.rows[theirs].mirrored();
+        let extra = self.extra_of(slot);
+        laws.pack(
+            &other.history(theirs, laws).mirrored(),
+            &mut self.extra[extra],
+        );
     }
 
     /// Where the extra numbers of a contact are.

@@ -15,12 +15,17 @@ const GRID_SIZE_RATIO: f64 = 3.5;
 
 /// Whether some pellet may have come within reach of a body that its list does not name.
 pub(crate) fn is_search_due(model: &Model, state: &State) -> bool {
+    is_search_due_after(model, state, 0.0, 0)
+        || state.searched_position.len() != state.pellets.len()
+}
+
+/// The same after a number of steps in which no pellet moves by more than `ahead` [m].
+pub(crate) fn is_search_due_after(model: &Model, state: &State, ahead: f64, steps: u64) -> bool {
     let walls_moved = model.greatest_wall_speed()
         * model.time_step().seconds
-        * (state.steps_since_search + 1) as f64;
-    let moved = state.moved_since_search;
+        * (state.steps_since_search + steps + 1) as f64;
+    let moved = state.moved_since_search + ahead;
     moved + moved.max(walls_moved) > model.skin() - model.holding_gap()
-        || state.searched_position.len() != state.pellets.len()
 }
 
 /// Stores the pellets named by `kept` (indices into the present rows) in Morton order and lists their neighbors.

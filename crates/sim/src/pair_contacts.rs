@@ -3,209 +3,313 @@
 //! Two passes over a chunk: a filter that picks the touching pairs without a branch to mispredict, then the laws on
 //! batches of those alone, several contacts to an instruction.
 
-use crate::forces::ForceChunk;
 use crate::memory::ContactMemory;
-use crate::state::{Pellets, vector};
-use crate::tally::{DeepestContact, Partner};
-use crate::workspace::{Load, Touch};
-use pelletflow_core::contact::batch::{Batch, LANES, Sphere};
-use pelletflow_core::{ContactForce, ContactHistory, Vec3};
+use crate::share::Share;
+use crate::state::{ChunkContacts, State};
+use crate::tally::{DeepestContact, Partner, greater};
+use crate::workspace::{ChunkList, ChunkScratch, Load, Touch, Workspace};
+use pelletflow_core::contact::batch::{Batch, LANES, Row, SpherePair};
+use pelletflow_core::instructions::Task;
+use pelletflow_core::{ContactHistory, Vec3};
 use std::ops::Range;
 
 /// Adds the forces of all pairs that the chunk lists.
 ///
 /// A pair across chunks is evaluated by both, each adding to its own pellet: the two results are exact
 /// negatives, and no chunk writes to another's rows.
-pub(crate) fn add_forces(chunk: &mut ForceChunk) {
-    match chunk.model.periodic() {
-        None => add_all(chunk, |displacement| displacement),
-        Some(periodic) => add_all(chunk, |displacement| periodic.nearest(displacement)),
+pub(crate) fn add_forces(share: &mut Share) {
+    let instructions = share.model.instructions();
+    match share.model.periodic() {
+        None => instructions.run(AllPairs {
+            share,
+            image: |displacement| displacement,
+        }),
+        Some(periodic) => instructions.run(AllPairs {
+            share,
+            image: |displacement| periodic.nearest(displacement),
+        }),
     }
 }
 
-/// Adds the forces; `image` gives the shortest image of a displacement [m].
-fn add_all(chunk: &mut ForceChunk, image: impl Fn([f64; 3]) -> [f64; 3] + Copy) {
-    let mut touches = std::mem::take(chunk.touches);
-    let gap = chunk.model.holding_gap();
-    if gap > 0.0 {
-        let held = |memory: &ContactMemory| if memory.steps > 0 { gap } else { 0.0 };
-        find_touches(chunk, &mut touches, image, held);
-    } else {
-        find_touches(chunk, &mut touches, image, |_| 0.0);
+/// Notes of new lists which of their pairs touched in the last step, as the memories tell, and whether they name anything.
+pub(crate) fn note_lists(state: &State, workspace: &mut Workspace) {
+    let lists = workspace.lists.iter().zip(&state.contacts);
+    workspace
+        .chunks
+        .resize_with(lists.len(), ChunkScratch::default);
+    for ((list, contacts), chunk) in lists.zip(&mut workspace.chunks) {
+        chunk.touches = open_touches(list, contacts);
     }
-    let mut batch = Batch::default();
-    for lane in 0..LANES {
-        batch.set_pair(lane, chunk.model.pair_of_kinds(0, 0));
-    }
-    for touches in touches.chunks(LANES) {
-        add_batch(chunk, &mut batch, touches, image);
-    }
-    *chunk.touches = touches;
+    workspace.is_free = workspace
+        .lists
+        .iter()
+        .all(|list| list.partners.is_empty() && list.near_walls.is_empty());
 }
 
-/// Lists the touching pairs, and ends the contacts of those that touch no more.
+/// Pairs whose memory says that they touch.
+pub(crate) fn open_touches(list: &ChunkList, contacts: &ChunkContacts) -> Vec<Touch> {
+    let mut touches = Vec::new();
+    for (local, ends) in list.offsets.windows(2).enumerate() {
+        let open = (ends[0]..ends[1]).filter(|&slot| contacts.pellet.is_open(slot as usize));
+        touches.extend(open.map(|slot| Touch {
+            local: local as u32,
+            slot,
+        }));
+    }
+    touches
+}
+
+/// The pairs of a chunk; `image` gives the shortest image of a displacement [m].
+struct AllPairs<'a, 'b, I> {
+    share: &'a mut Share<'b>,
+    image: I,
+}
+
+impl<I: Fn([f64; 3]) -> [f64; 3] + Copy> Task for AllPairs<'_, '_, I> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Self { share, image } = self;
+        let last = std::mem::take(&mut share.scratch.touches);
+        let mut touches = std::mem::take(&mut share.scratch.spare_touches);
+        let gap = share.model.holding_gap();
+        if gap > 0.0 {
+            let held = |memory: &ContactMemory| if memory.steps > 0 { gap } else { 0.0 };
+            find_touches(share, &mut touches, image, held);
+        } else {
+            find_touches(share, &mut touches, image, |_| 0.0);
+        }
+        end_contacts(share, &last, &touches);
+        let mut batch = Batch::default();
+        for lane in 0..LANES {
+            batch.set_pair(lane, share.model.pair_of_kinds(0, 0));
+        }
+        for touches in touches.chunks(LANES) {
+            add_batch(share, &mut batch, touches, image);
+        }
+        share.scratch.touches = touches;
+        share.scratch.spare_touches = last;
+    }
+}
+
+/// Lists the touching pairs.
 ///
 /// A pair touches up to the gap `held` [m] by what it remembers.
+#[inline(always)]
 fn find_touches(
-    chunk: &mut ForceChunk,
+    share: &Share,
     touches: &mut Vec<Touch>,
     image: impl Fn([f64; 3]) -> [f64; 3],
     held: impl Fn(&ContactMemory) -> f64,
 ) {
-    let positions = chunk.pellets.position.as_slice();
-    let partners = chunk.list.partners.as_slice();
-    let memories = &mut chunk.contacts.pellet;
-    touches.clear();
+    let positions = share.pellets.position;
+    let partners = share.list.partners.as_slice();
+    let memories = share.contacts.pellet.rows.as_slice();
     touches.resize(partners.len(), Touch::default());
+    let room = touches.as_mut_slice();
     let mut found = 0;
-    for (local, ends) in chunk.list.offsets.windows(2).enumerate() {
-        let a = chunk.range.start + local;
-        let center = positions[a];
-        let slots = ends[0] as usize..ends[1] as usize;
-        for (&b, slot) in partners[slots.clone()].iter().zip(slots) {
-            let other = &positions[b as usize];
+    for (local, ends) in share.list.offsets.windows(2).enumerate() {
+        let center = positions[share.range.start + local];
+        for slot in ends[0]..ends[1] {
+            let other = &positions[partners[slot as usize] as usize];
             let [dx, dy, dz] = image([
                 center[0] - other[0],
                 center[1] - other[1],
                 center[2] - other[2],
             ]);
-            let reach = center[3] + other[3] + held(&memories.rows[slot]);
+            let reach = center[3] + other[3] + held(&memories[slot as usize]);
             let is_touching = dx * dx + dy * dy + dz * dz < reach * reach;
             // Written in any case and kept only by the count: cheaper than a branch that half the slots take.
-            touches[found] = Touch {
+            room[found] = Touch {
                 local: local as u32,
-                partner: b,
-                slot: slot as u32,
+                slot,
             };
             found += usize::from(is_touching);
-            let steps = memories.rows[slot].steps;
-            if !is_touching && steps > 0 {
-                if is_counted(&chunk.range, a, b as usize) {
-                    chunk.tally.finish(steps);
-                }
-                memories.forget(slot);
-            }
         }
     }
     touches.truncate(found);
 }
 
+/// Ends the contacts of pairs that touched in the last step and touch no more.
+fn end_contacts(share: &mut Share, last: &[Touch], touches: &[Touch]) {
+    if last == touches {
+        return;
+    }
+    let mut present = touches.iter().peekable();
+    for touch in last {
+        while present.next_if(|now| now.slot < touch.slot).is_some() {}
+        if present.next_if_eq(&touch).is_none() {
+            let slot = touch.slot as usize;
+            let steps = share.contacts.pellet.rows[slot].steps;
+            if steps > 0 {
+                let (a, b) = ends(share, *touch);
+                if is_counted(&share.range, a, b) {
+                    share.scratch.tally.finish(steps);
+                }
+                share.contacts.pellet.forget(slot);
+            }
+        }
+    }
+}
+
+/// The two pellets that touch, by index.
+#[inline(always)]
+fn ends(share: &Share, touch: Touch) -> (usize, usize) {
+    let a = share.range.start + touch.local as usize;
+    (a, share.list.partners[touch.slot as usize] as usize)
+}
+
 /// Whether a chunk enters a pair into its books: of two chunks that share one, that of the first pellet does.
-#[inline]
+#[inline(always)]
 fn is_counted(range: &Range<usize>, a: usize, b: usize) -> bool {
     b > a || range.contains(&b)
 }
 
 /// Works out one batch of touching pairs and adds what they do.
+#[inline(always)]
 fn add_batch(
-    chunk: &mut ForceChunk,
+    share: &mut Share,
     batch: &mut Batch,
     touches: &[Touch],
     image: impl Fn([f64; 3]) -> [f64; 3],
 ) {
-    let model = chunk.model;
-    let pellets = chunk.pellets;
+    let model = share.model;
+    fill(share, batch, touches, image);
+    let (sampling, instructions) = (model.sampling(), model.instructions());
+    batch.meet(touches.len(), instructions);
+    let laws = model.laws();
+    let has_batch = laws.forces(batch, touches.len(), sampling, instructions);
+    if has_batch {
+        let memories = share.contacts.pellet.rows.as_mut_slice();
+        for (lane, touch) in touches.iter().enumerate() {
+            let memory = &mut memories[touch.slot as usize];
+            *memory = memory.stepped(&batch.next_history(lane));
+        }
+    } else {
+        for (lane, touch) in touches.iter().enumerate() {
+            work_out_single(share, batch, lane, *touch);
+        }
+    }
+    add_loads(share, batch, touches);
+    let tally = &mut share.scratch.tally;
+    tally.totals.add(&batch.totals(touches.len()));
+    tally.open += batch.counted(touches.len());
+    let limit = model.setup().limits.overlap_ratio;
+    let is_noteworthy = batch.exceeds_force(touches.len(), tally.noteworthy_force())
+        || batch.exceeds_overlap(touches.len(), tally.noteworthy_overlap_ratio(limit));
+    if has_batch && is_noteworthy {
+        for (lane, touch) in touches.iter().enumerate() {
+            look_closely(share, batch, lane, *touch, &batch.history(lane));
+        }
+    }
+}
+
+/// Fills a batch with touching pairs.
+#[inline(always)]
+fn fill(share: &Share, batch: &mut Batch, touches: &[Touch], image: impl Fn([f64; 3]) -> [f64; 3]) {
+    let (model, pellets) = (share.model, share.pellets);
+    let partners = share.list.partners.as_slice();
+    let memories = share.contacts.pellet.rows.as_slice();
+    let range = share.range.clone();
     for (lane, touch) in touches.iter().enumerate() {
-        let a = chunk.range.start + touch.local as usize;
-        let b = touch.partner as usize;
-        let history = chunk.contacts.pellet.rows[touch.slot as usize].history();
-        let (mut first, mut second) = (sphere(pellets, a), sphere(pellets, b));
+        let a = range.start + touch.local as usize;
+        let b = partners[touch.slot as usize] as usize;
+        let (first, second) = (&pellets.position[a], &pellets.position[b]);
         // Seen from the second, so that the two ends of a pair across chunks stay exact negatives.
-        first.center = Vec3::from(image((first.center - second.center).into()));
-        second.center = Vec3::zeros();
-        batch.set(lane, &first, &second, &history);
+        let [dx, dy, dz] = image([
+            first[0] - second[0],
+            first[1] - second[1],
+            first[2] - second[2],
+        ]);
+        let (va, vb) = (&pellets.velocity[a], &pellets.velocity[b]);
+        let pair = SpherePair {
+            between: [dx, dy, dz, first[3]],
+            other_radius: second[3],
+            velocity: [va[0] - vb[0], va[1] - vb[1], va[2] - vb[2], va[3] + vb[3]],
+            spins: [pellets.spin[a], pellets.spin[b]],
+        };
+        batch.set_spheres(lane, &pair, is_counted(&range, a, b));
+        let memory = &memories[touch.slot as usize];
+        batch.set_history(
+            lane,
+            memory.tangential_stretch,
+            f64::from(memory.normal_force),
+        );
         if model.has_many_kinds() {
             batch.set_pair(lane, model.pair_of_kinds(pellets.kind[a], pellets.kind[b]));
         }
     }
-    if model.laws().forces(batch, touches.len(), model.sampling()) {
-        for (lane, touch) in touches.iter().enumerate() {
-            let memory = &mut chunk.contacts.pellet.rows[touch.slot as usize];
-            *memory = memory.stepped(&batch.next_history(lane));
-            add_force(chunk, batch, lane, *touch, || batch.history(lane));
-        }
-    } else {
-        for (lane, touch) in touches.iter().enumerate() {
-            add_single(chunk, batch, lane, *touch);
-        }
-    }
 }
 
-/// Works out one contact by laws that have no batch, and adds what it does.
-fn add_single(chunk: &mut ForceChunk, batch: &mut Batch, lane: usize, touch: Touch) {
-    let (model, laws) = (chunk.model, chunk.model.laws());
-    let a = chunk.range.start + touch.local as usize;
-    let (b, slot) = (touch.partner as usize, touch.slot as usize);
-    let pair = model.pair_of_kinds(chunk.pellets.kind[a], chunk.pellets.kind[b]);
+/// Works out one contact of a batch by laws that have no batch.
+fn work_out_single(share: &mut Share, batch: &mut Batch, lane: usize, touch: Touch) {
+    let (model, laws) = (share.model, share.model.laws());
+    let (a, b) = ends(share, touch);
+    let slot = touch.slot as usize;
+    let pair = model.pair_of_kinds(share.pellets.kind[a], share.pellets.kind[b]);
     let contact = batch.contact(lane);
-    let last = chunk.contacts.pellet.history(slot, laws);
+    let last = share.contacts.pellet.history(slot, laws);
     let mut history = last;
     let force = laws.force(&contact, pair, &mut history, model.sampling());
     batch.set_force(lane, &contact, &force, &history);
-    let steps = chunk.contacts.pellet.rows[slot].steps;
-    let is_open = chunk.contacts.pellet.step(slot, &history, laws);
-    if !is_open && is_counted(&chunk.range, a, b) {
-        chunk.tally.finish(steps);
+    let steps = share.contacts.pellet.rows[slot].steps;
+    let is_open = share.contacts.pellet.step(slot, &history, laws);
+    if !is_open && is_counted(&share.range, a, b) {
+        share.scratch.tally.finish(steps);
     }
-    add_force(chunk, batch, lane, touch, || last);
+    look_closely(share, batch, lane, touch, &last);
 }
 
-/// Adds the force of a lane; `last` gives what the contact remembered before.
-#[inline]
-fn add_force(
-    chunk: &mut ForceChunk,
+/// Adds the forces and torques of a batch to the chunk's pellets.
+#[inline(always)]
+fn add_loads(share: &mut Share, batch: &Batch, touches: &[Touch]) {
+    let rest = share.range.len();
+    let start = share.range.start;
+    let partners = share.list.partners.as_slice();
+    let loads = share.scratch.loads.as_mut_slice();
+    for (lane, touch) in touches.iter().enumerate() {
+        let b = partners[touch.slot as usize] as usize;
+        let force = batch.force(lane);
+        let torques = batch.torques(lane);
+        add_load(&mut loads[touch.local as usize], &force, &torques[0]);
+        // What acts on another chunk's pellet goes to a row that nobody reads: cheaper than a branch.
+        let other = b.wrapping_sub(start).min(rest);
+        let reaction = [-force[0], -force[1], -force[2], force[3]];
+        add_load(&mut loads[other], &reaction, &torques[1]);
+    }
+}
+
+/// Looks at a contact of a batch that may hold a record, and that remembered `last`.
+#[cold]
+#[inline(never)]
+fn look_closely(
+    share: &mut Share,
     batch: &Batch,
     lane: usize,
     touch: Touch,
-    last: impl Fn() -> ContactHistory,
+    last: &ContactHistory,
 ) {
-    let (local, b) = (touch.local as usize, touch.partner as usize);
-    let a = chunk.range.start + local;
-    let force = batch.force(lane);
-    let (twist, arms) = (batch.twist(lane), batch.arms(lane));
-    add_load(&mut chunk.loads[local], &force, 1.0, -arms[0] * twist);
-    let is_in_chunk = chunk.range.contains(&b);
-    if is_in_chunk {
-        add_load(
-            &mut chunk.loads[b - chunk.range.start],
-            &force,
-            -1.0,
-            -arms[1] * twist,
-        );
-    }
-    if is_counted(&chunk.range, a, b) {
-        let kind = &chunk.pellets.kind;
-        let pair = || *chunk.model.pair_of_kinds(kind[a], kind[b]);
-        let smaller = chunk.pellets.position[a][3].min(chunk.pellets.position[b][3]);
-        let depth = DeepestContact {
-            ratio: batch.overlap(lane) / smaller,
-            pellet: a,
-            partner: Partner::Pellet(b),
-        };
-        let contact = || (batch.contact(lane), pair(), last());
-        chunk.tally.open(&force, depth, contact, chunk.model);
-    }
+    let (model, pellets) = (share.model, share.pellets);
+    let (a, b) = ends(share, touch);
+    let pair = model.pair_of_kinds(pellets.kind[a], pellets.kind[b]);
+    let smaller = pellets.position[a][3].min(pellets.position[b][3]);
+    let depth = DeepestContact {
+        ratio: batch.overlap(lane) / smaller,
+        pellet: a,
+        partner: Partner::Pellet(b),
+    };
+    let about = (&batch.contact(lane), pair, last);
+    let tally = &mut share.scratch.tally;
+    tally.look_at(model, depth, batch.normal_force(lane), about);
 }
 
-#[inline]
-fn sphere(pellets: &Pellets, index: usize) -> Sphere {
-    let (position, velocity) = (&pellets.position[index], &pellets.velocity[index]);
-    Sphere {
-        center: vector(position),
-        radius: position[3],
-        velocity: vector(velocity),
-        spin: vector(&pellets.spin[index]),
-        inverse_mass: velocity[3],
-    }
-}
-
-/// Adds a force with a sign, its moment, and the turning torque with the same sign.
-#[inline]
-pub(crate) fn add_load(load: &mut Load, force: &ContactForce, sign: f64, moment: Vec3) {
-    let torque = moment + sign * force.turning_torque;
+/// Adds a force and a torque; of the normal forces the greatest is kept.
+#[inline(always)]
+pub(crate) fn add_load(load: &mut Load, force: &Row, torque: &Vec3) {
     for axis in 0..3 {
-        load.force[axis] += sign * force.force[axis];
+        load.force[axis] += force[axis];
         load.torque[axis] += torque[axis];
     }
-    load.force[3] = load.force[3].max(force.normal);
+    load.force[3] = greater(load.force[3], force[3]);
 }

@@ -5,7 +5,9 @@ use crate::meter::Meter;
 use crate::pellet::PelletKind;
 use crate::time_step::StepRequest;
 use crate::wall::Wall;
-use pelletflow_core::{Bounds, ContactLaws, Material, MaterialPair, PairProperties, Shape, Vec3};
+use pelletflow_core::{
+    Bounds, ContactLaws, InstructionSet, Material, MaterialPair, PairProperties, Shape, Vec3,
+};
 
 /// Everything that a user decides about the physics, in SI units and with names resolved to indices.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,6 +48,8 @@ pub struct Setup {
     pub limits: Limits,
     /// Work that may be left out.
     pub skips: Skips,
+    /// Vector instructions; the widest that the machine has where none are asked for. No bit depends on them.
+    pub instructions: Option<InstructionSet>,
 }
 
 /// A material and the name it goes by.
@@ -197,6 +201,10 @@ pub struct Skips {
     pub rotation: bool,
     /// No wall evaluated for a pellet that cannot reach it.
     pub distant_walls: bool,
+    /// Many steps at once while no pellet is near anything.
+    pub free_flight: bool,
+    /// No work on chunks of pellets at rest.
+    pub rest: bool,
 }
 
 impl Default for Skips {
@@ -204,6 +212,8 @@ impl Default for Skips {
         Self {
             rotation: true,
             distant_walls: true,
+            free_flight: true,
+            rest: true,
         }
     }
 }

@@ -99,7 +99,13 @@ impl Simulation {
             workspace,
             pool,
         } = self;
-        let mut run = || (0..steps).try_for_each(|_| step(model, state, workspace));
+        let mut run = || {
+            let mut left = steps;
+            while left > 0 {
+                left -= step(model, state, workspace, left)?;
+            }
+            Ok(())
+        };
         match pool {
             Some(pool) => pool.install(run),
             None => run(),
@@ -141,8 +147,6 @@ impl Simulation {
     /// Pellets inside, in storage order, which changes; sort by id where order matters.
     pub fn pellets(&self) -> impl ExactSizeIterator<Item = PelletView> + '_ {
         let pellets = &self.state.pellets;
-        // Before the first step, and for pellets that came since, there are no loads yet.
-        let loads = &self.workspace.loads;
         (0..pellets.len()).map(move |index| PelletView {
             id: pellets.id[index],
             kind: usize::from(pellets.kind[index]),
@@ -151,7 +155,7 @@ impl Simulation {
             position: vector(&pellets.position[index]),
             velocity: vector(&pellets.velocity[index]),
             spin: vector(&pellets.spin[index]),
-            max_normal_force: loads.get(index).map_or(0.0, |load| load.force[3]),
+            max_normal_force: self.workspace.load(index, pellets.len()).force[3],
         })
     }
 

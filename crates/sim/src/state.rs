@@ -3,6 +3,8 @@
 use crate::books::Books;
 use crate::memory::ContactMemories;
 use crate::meter::Record;
+use crate::rest::Sleep;
+use crate::workspace::NextRows;
 use pelletflow_core::Vec3;
 
 /// Three components and one companion, so that a pellet's share of an array is one half of a cache line.
@@ -29,6 +31,8 @@ pub struct State {
     pub pellets: Pellets,
     /// What each listed contact remembers, chunk by chunk, aligned with the neighbor lists.
     pub contacts: Vec<ChunkContacts>,
+    /// Which chunks sleep.
+    pub(crate) sleeping: Vec<Option<Sleep>>,
     /// Positions at the last neighbor search, from which the lists follow [m].
     pub searched_position: Vec<Row>,
     /// Bound of how far any pellet has moved since then [m].
@@ -54,10 +58,12 @@ pub struct Pellets {
     pub velocity: Vec<Row>,
     /// Spin at the full step [rad/s], and the inverse moment of inertia [1/(kg·m²)].
     pub spin: Vec<Row>,
-    /// Velocity half a step earlier, which the leapfrog carries [m/s].
+    /// Velocity half a step earlier, which the leapfrog carries [m/s], and the mass [kg].
     pub half_step_velocity: Vec<Row>,
-    /// Spin half a step earlier [rad/s].
+    /// Spin half a step earlier [rad/s], and the moment of inertia [kg·m²].
     pub half_step_spin: Vec<Row>,
+    /// Where it was when it last moved [m], and the step [-]; a smaller way is no motion.
+    pub anchor: Vec<Row>,
     /// Step before which it came [-].
     pub born: Vec<u64>,
 }
@@ -110,9 +116,18 @@ impl Pellets {
         self.spin
             .push(row(new.spin, 2.5 * inverse_mass / new.radius.powi(2)));
         self.half_step_velocity
-            .push(row(new.velocity - behind, 0.0));
-        self.half_step_spin.push(row(new.spin, 0.0));
+            .push(row(new.velocity - behind, new.mass));
+        self.half_step_spin
+            .push(row(new.spin, 0.4 * new.mass * new.radius.powi(2)));
+        self.anchor.push(row(new.position, step as f64));
         self.born.push(step);
+    }
+
+    /// Exchanges position, velocity and spin with rows of another instant.
+    pub(crate) fn exchange_rows(&mut self, next: &mut NextRows) {
+        std::mem::swap(&mut self.position, &mut next.position);
+        std::mem::swap(&mut self.velocity, &mut next.velocity);
+        std::mem::swap(&mut self.spin, &mut next.spin);
     }
 
     /// Keeps the rows named, in that order.
@@ -124,6 +139,7 @@ impl Pellets {
         select(&mut self.spin, order);
         select(&mut self.half_step_velocity, order);
         select(&mut self.half_step_spin, order);
+        select(&mut self.anchor, order);
         select(&mut self.born, order);
     }
 }

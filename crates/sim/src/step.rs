@@ -1,31 +1,35 @@
 //! The step, on one page: the physics in order.
 
-use crate::advance::{MotionTally, advance};
+use crate::advance::advance;
 use crate::error::StepError;
 use crate::exchange::exchange;
-use crate::forces::sum_loads;
+use crate::free_flight;
 use crate::health;
 use crate::inlet;
 use crate::meter;
 use crate::model::Model;
 use crate::neighbors;
+use crate::pair_contacts;
 use crate::profile::{Profile, Stage};
+use crate::rest;
+use crate::share::each_chunk;
 use crate::state::State;
-use crate::tally::ForceTally;
 use crate::wall::WallNow;
+use crate::wall_contacts;
 use crate::workspace::Workspace;
 
-/// Advances the state by one time step.
+/// Advances the state by one time step, or by up to `most` where nothing is near anything; gives how many.
 ///
 /// # Errors
-/// The physics failed; the state is that before the pellets moved, except after a loss.
+/// The physics failed; the pellets are where they were before the step, except after a loss.
 pub(crate) fn step(
     model: &Model,
     state: &mut State,
     workspace: &mut Workspace,
-) -> Result<(), StepError> {
+    most: u64,
+) -> Result<u64, StepError> {
     let mut profile = std::mem::take(&mut workspace.profile);
-    let result = stages(model, state, workspace, &mut profile);
+    let result = stages(model, state, workspace, &mut profile, most);
     workspace.profile = profile;
     result
 }
@@ -35,10 +39,11 @@ fn stages(
     state: &mut State,
     workspace: &mut Workspace,
     profile: &mut Profile,
-) -> Result<(), StepError> {
+    most: u64,
+) -> Result<u64, StepError> {
     // Walls move: where each is now follows from the time alone.
     let time = state.step as f64 * model.time_step().seconds;
-    profile.time(Stage::Walls, || {
+    profile.sample(state.step, Stage::Walls, || {
         prescribe_walls(model, time, &mut workspace.walls);
         health::check_gates(model, state, &workspace.walls)
     })?;
@@ -47,26 +52,43 @@ fn stages(
     if neighbors::is_search_due(model, state) || inlet::is_any_due(model, state) {
         let kept = profile.time(Stage::Exchange, || exchange(model, state, &workspace.walls))?;
         profile.time(Stage::Search, || {
+            let before = state.pellets.id.clone();
             neighbors::search(model, state, workspace, &kept);
+            pair_contacts::note_lists(state, workspace);
+            rest::carry(model, state, workspace, &before);
         });
         profile.time(Stage::Meters, || meter::list(model, state));
         health::check_energy(model, state)?;
     }
 
-    // Contacts and forces.
-    let contacts = profile.time(Stage::Forces, || sum_loads(model, state, workspace));
-    health::check_overlap(model, state, &contacts)?;
+    let flown = free_flight::fly(model, state, workspace, most)?;
+    if flown > 0 {
+        return Ok(flown);
+    }
 
-    // Bodies move.
-    let motion = profile.time(Stage::Motion, || advance(model, state, workspace));
-    health::check_finite(model, state, &motion)?;
-
-    // Meters watch and the books are kept.
-    profile.time(Stage::Meters, || {
-        meter::watch(model, state, &workspace.walls, &contacts.wall_touches);
+    rest::wake(model, state, workspace);
+    // Contacts become forces and forces motion: of each chunk by itself, from rows as they are to rows as they will be.
+    each_chunk(model, state, workspace, profile, |share| {
+        share.stage(Stage::PairContacts, pair_contacts::add_forces);
+        share.stage(Stage::WallContacts, wall_contacts::add_forces);
+        share.stage(Stage::Motion, advance);
     });
-    enter(model, state, contacts, &motion);
-    Ok(())
+    health::check_overlap(model, state, &workspace.tally)?;
+    health::check_finite(model, state, workspace)?;
+
+    // Meters watch, bodies move and the books are kept.
+    profile.sample(state.step, Stage::Meters, || {
+        meter::watch(
+            model,
+            state,
+            &workspace.walls,
+            &workspace.tally.wall_touches,
+        );
+    });
+    state.pellets.exchange_rows(&mut workspace.next);
+    enter(model, state, workspace);
+    rest::settle(model, state, workspace);
+    Ok(1)
 }
 
 /// Puts every wall where it belongs at a time [s].
@@ -75,25 +97,28 @@ pub(crate) fn prescribe_walls(model: &Model, time: f64, walls: &mut Vec<WallNow>
     walls.extend(model.setup().walls.iter().map(|wall| wall.at(time)));
 }
 
-fn enter(model: &Model, state: &mut State, contacts: ForceTally, motion: &MotionTally) {
+/// Enters the tally of one step into the books.
+pub(crate) fn enter(model: &Model, state: &mut State, workspace: &Workspace) {
     let time_step = model.time_step().seconds;
+    let tally = &workspace.tally;
+    let did = &tally.totals;
     let books = &mut state.books;
-    books.energy.kinetic = motion.kinetic;
-    books.energy.potential = motion.potential;
-    books.energy.elastic = contacts.elastic_energy;
+    books.energy.kinetic = tally.kinetic;
+    books.energy.potential = tally.potential;
+    books.energy.elastic = did.elastic_energy;
     if state.step == 0 {
         // Points of a settled bed start with their springs loaded.
-        books.energy.carried_in += contacts.elastic_energy;
+        books.energy.carried_in += did.elastic_energy;
     }
-    books.energy.shear = contacts.shear_energy;
-    books.energy.damped += time_step * contacts.dissipation;
-    books.energy.shear_work += time_step * contacts.shear_power;
-    books.energy.wall_work += time_step * contacts.wall_power;
-    books.energy.wall_work_size += time_step * contacts.wall_power.abs();
+    books.energy.shear = did.shear_energy;
+    books.energy.damped += time_step * did.dissipation;
+    books.energy.shear_work += time_step * did.shear_power;
+    books.energy.wall_work += time_step * tally.wall_power;
+    books.energy.wall_work_size += time_step * tally.wall_power.abs();
     books.particle_steps += state.pellets.len() as u64;
-    books.contacts.enter(&contacts, state.pellets.len());
-    books.wall_force = contacts.wall_force;
-    state.moved_since_search += time_step * motion.max_speed_squared.sqrt();
+    books.contacts.enter(tally, state.pellets.len());
+    books.wall_force.clone_from(&tally.wall_force);
+    state.moved_since_search += time_step * tally.max_speed_squared.sqrt();
     state.steps_since_search += 1;
     state.step += 1;
 }

@@ -1,9 +1,10 @@
-//! What the contacts of one chunk did in one step; merged in chunk order.
+//! What one chunk did in one step; put together in chunk order.
 
 use crate::ledger::ContactStatistics;
 use crate::meter::WallTouch;
 use crate::model::Model;
-use pelletflow_core::{Contact, ContactForce, ContactHistory, MaterialPair, Vec3};
+use pelletflow_core::contact::batch::Totals;
+use pelletflow_core::{Contact, ContactHistory, MaterialPair, Vec3};
 
 /// The other body of a contact, by index.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -23,9 +24,9 @@ pub(crate) struct DeepestContact {
     pub(crate) partner: Partner,
 }
 
-/// Sums and extremes over contacts.
-#[derive(Debug, Clone)]
-pub(crate) struct ForceTally {
+/// Sums and extremes over the contacts and pellets of a chunk, or of all.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct Tally {
     /// Open contacts.
     pub(crate) open: u64,
     /// Open contacts with walls.
@@ -34,12 +35,10 @@ pub(crate) struct ForceTally {
     pub(crate) max_force: f64,
     /// Greatest so far, in this step or before.
     pub(crate) max_overlap_ratio: f64,
-    /// Deepest sample of this step.
+    /// Deepest sample of this step, of those that may be too deep.
     pub(crate) deepest: Option<DeepestContact>,
-    pub(crate) elastic_energy: f64,
-    pub(crate) dissipation: f64,
-    pub(crate) shear_energy: f64,
-    pub(crate) shear_power: f64,
+    /// What contacts did, summed.
+    pub(crate) totals: Totals,
     pub(crate) wall_power: f64,
     pub(crate) wall_force: Vec<Vec3>,
     /// Contacts with walls that meters watch.
@@ -48,54 +47,77 @@ pub(crate) struct ForceTally {
     pub(crate) finished: u64,
     pub(crate) finished_steps: u64,
     pub(crate) fewest_steps: u32,
+    /// Kinetic energy at the start of the step [J].
+    pub(crate) kinetic: f64,
+    /// Potential energy at the start of the step [J].
+    pub(crate) potential: f64,
+    /// Square of the greatest speed after the step [m²/s²].
+    pub(crate) max_speed_squared: f64,
 }
 
-impl ForceTally {
-    pub(crate) fn new(walls: usize, so_far: &ContactStatistics) -> Self {
-        Self {
-            open: 0,
-            open_with_walls: 0,
+impl Tally {
+    /// Starts a step among a number of walls.
+    pub(crate) fn begin(&mut self, walls: usize, so_far: &ContactStatistics) {
+        let mut wall_force = std::mem::take(&mut self.wall_force);
+        let mut wall_touches = std::mem::take(&mut self.wall_touches);
+        wall_force.clear();
+        wall_force.resize(walls, Vec3::zeros());
+        wall_touches.clear();
+        *self = Self {
             max_force: so_far.max_force,
             max_overlap_ratio: so_far.max_overlap_ratio,
-            deepest: None,
-            elastic_energy: 0.0,
-            dissipation: 0.0,
-            shear_energy: 0.0,
-            shear_power: 0.0,
-            wall_power: 0.0,
-            wall_force: vec![Vec3::zeros(); walls],
-            wall_touches: Vec::new(),
-            finished: 0,
-            finished_steps: 0,
             fewest_steps: u32::MAX,
-        }
+            wall_force,
+            wall_touches,
+            ..Self::default()
+        };
     }
 
-    /// Enters an open contact; `contact` is asked for only where it may hold a record.
+    /// What is left where nothing moves: open contacts with their energies and forces.
+    pub(crate) fn be_still(&mut self) {
+        self.deepest = None;
+        self.totals.dissipation = 0.0;
+        self.totals.shear_power = 0.0;
+        self.wall_power = 0.0;
+        for touch in &mut self.wall_touches {
+            touch.is_first = false;
+        }
+        self.finished = 0;
+        self.finished_steps = 0;
+        self.fewest_steps = u32::MAX;
+        self.kinetic = 0.0;
+        self.max_speed_squared = 0.0;
+    }
+
+    /// Force beyond which a contact may hold a record [N].
     #[inline]
-    pub(crate) fn open(
+    pub(crate) fn noteworthy_force(&self) -> f64 {
+        LIKELY_RECORD * self.max_force
+    }
+
+    /// Overlap over the smaller radius beyond which a contact may hold a record, or be too deep [-].
+    #[inline]
+    pub(crate) fn noteworthy_overlap_ratio(&self, limit: f64) -> f64 {
+        (LIKELY_RECORD * self.max_overlap_ratio).min(limit)
+    }
+
+    /// Looks closely at a contact that may hold a record.
+    ///
+    /// Between two steps force and overlap rise by a few percent; so a record is nearly one in the step before.
+    pub(crate) fn look_at(
         &mut self,
-        force: &ContactForce,
-        depth: DeepestContact,
-        contact: impl Fn() -> (Contact, MaterialPair, ContactHistory),
         model: &Model,
+        depth: DeepestContact,
+        normal_force: f64,
+        (contact, pair, history): (&Contact, &MaterialPair, &ContactHistory),
     ) {
-        self.open += 1;
-        self.elastic_energy += force.elastic_energy;
-        self.dissipation += force.dissipation;
-        self.shear_energy += force.shear_energy;
-        self.shear_power += force.shear_power;
-        // Between two steps force and overlap rise by a few percent; only a likely record is looked at closely.
-        if force.normal > LIKELY_RECORD * self.max_force {
-            let (contact, pair, history) = contact();
-            let laws = model.laws();
-            let peak = laws.peak_force_near(&contact, &pair, &history, model.sampling());
+        let (laws, sampling) = (model.laws(), model.sampling());
+        if normal_force > self.noteworthy_force() {
+            let peak = laws.peak_force_near(contact, pair, history, sampling);
             self.max_force = self.max_force.max(peak);
         }
         if depth.ratio > LIKELY_RECORD * self.max_overlap_ratio {
-            let (contact, pair, history) = contact();
-            let laws = model.laws();
-            let peak = laws.peak_overlap_near(&contact, &pair, &history, model.sampling());
+            let peak = laws.peak_overlap_near(contact, pair, history, sampling);
             let ratio = depth.ratio * peak / contact.overlap;
             self.max_overlap_ratio = self.max_overlap_ratio.max(ratio);
         }
@@ -120,8 +142,8 @@ impl ForceTally {
         self.fewest_steps = self.fewest_steps.min(steps);
     }
 
-    /// Both together; the order of merging fixes the bits.
-    pub(crate) fn merged(mut self, other: Self) -> Self {
+    /// Enters what another chunk did; the order of the chunks fixes the bits.
+    pub(crate) fn add(&mut self, other: &Self) {
         self.open += other.open;
         self.open_with_walls += other.open_with_walls;
         self.max_force = self.max_force.max(other.max_force);
@@ -129,18 +151,24 @@ impl ForceTally {
         if let Some(deepest) = other.deepest {
             self.deepen(deepest);
         }
-        self.elastic_energy += other.elastic_energy;
-        self.dissipation += other.dissipation;
-        self.shear_energy += other.shear_energy;
-        self.shear_power += other.shear_power;
+        self.totals.add(&other.totals);
         self.wall_power += other.wall_power;
-        for (mine, theirs) in self.wall_force.iter_mut().zip(other.wall_force) {
+        for (mine, theirs) in self.wall_force.iter_mut().zip(&other.wall_force) {
             *mine += theirs;
         }
-        self.wall_touches.extend(other.wall_touches);
+        self.wall_touches.extend_from_slice(&other.wall_touches);
         self.finished += other.finished;
         self.finished_steps += other.finished_steps;
         self.fewest_steps = self.fewest_steps.min(other.fewest_steps);
-        self
+        self.kinetic += other.kinetic;
+        self.potential += other.potential;
+        self.max_speed_squared = greater(self.max_speed_squared, other.max_speed_squared);
     }
+}
+
+/// The greater of two numbers; the sum of kinetic energies knows of those that are none.
+#[inline(always)]
+#[expect(clippy::inline_always, reason = "it stands in a vectorized loop")]
+pub(crate) fn greater(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }

@@ -38,6 +38,11 @@ impl Wall {
         }
     }
 
+    /// Whether no point of its surface ever moves.
+    pub(crate) fn is_still(&self) -> bool {
+        !self.motion.is_moving() && self.surface_velocity == Vec3::zeros()
+    }
+
     /// Center of the wall's box before it moves; the origin where the wall has no end [m].
     pub fn center(&self) -> Vec3 {
         let bounds = self.shape.bounds();

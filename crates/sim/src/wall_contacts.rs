@@ -1,14 +1,15 @@
 //! Contacts between pellets and walls.
 
-use crate::forces::ForceChunk;
 use crate::meter::WallTouch;
 use crate::pair_contacts::add_load;
+use crate::share::Share;
 use crate::state::vector;
 use crate::tally::{DeepestContact, Partner};
 use crate::workspace::NearWall;
+use pelletflow_core::contact::batch::{Batch, LANES};
 use pelletflow_core::contact::curvature;
 use pelletflow_core::solid::MOST_TOUCHES;
-use pelletflow_core::{Contact, Surface, Vec3};
+use pelletflow_core::{Contact, ContactHistory, Surface, Vec3};
 use std::ops::Range;
 
 /// Least curvature of a contact over the pellet's own [-]: a pellet in a hollow of nearly its own radius would
@@ -18,48 +19,81 @@ pub(crate) const LEAST_CURVATURE_SHARE: f64 = 0.05;
 /// Cosine between the normals of a contact in two steps below which it is another contact [-].
 const SAME_CONTACT: f64 = 0.8;
 
+/// Contacts waiting for their batch to be full.
+struct Waiting {
+    batch: Batch,
+    found: [Found; LANES],
+    count: usize,
+}
+
+/// A contact with a wall.
+#[derive(Debug, Clone, Copy, Default)]
+struct Found {
+    /// Place of the pellet in its chunk.
+    local: usize,
+    /// Index of the wall.
+    wall: usize,
+    /// Place of its memory.
+    slot: usize,
+    /// Contact point, in the world [m].
+    point: Vec3,
+    /// Velocity of the wall's surface there [m/s], and of its turning [rad/s].
+    wall_velocity: Vec3,
+    wall_spin: Vec3,
+}
+
 /// Adds the forces of all walls that the chunk lists.
-pub(crate) fn add_forces(chunk: &mut ForceChunk) {
-    let list = chunk.list;
+pub(crate) fn add_forces(share: &mut Share) {
+    let list = share.list;
+    if list.near_walls.is_empty() {
+        return;
+    }
+    let mut waiting = Waiting {
+        batch: Batch::default(),
+        found: [Found::default(); LANES],
+        count: 0,
+    };
     let mut first = 0;
     let (mut mesh, mut first_triangle) = (0, 0);
     while first < list.near_walls.len() {
         let NearWall { pellet, wall } = list.near_walls[first];
-        let places = first..first + chunk.model.touches_at(wall as usize);
+        let places = first..first + share.model.touches_at(wall as usize);
         first = places.end;
         let mut triangles: &[u32] = &[];
-        if chunk.model.touchable(wall as usize).is_mesh() {
+        if share.model.touchable(wall as usize).is_mesh() {
             let end = list.near_triangle_ends[mesh] as usize;
             triangles = &list.near_triangles[first_triangle..end];
             (mesh, first_triangle) = (mesh + 1, end);
         }
-        touch_wall(chunk, pellet as usize, wall as usize, places, triangles);
+        let (pellet, wall) = (pellet as usize, wall as usize);
+        touch_wall(share, &mut waiting, pellet, wall, places, triangles);
     }
+    work_out(share, &mut waiting);
 }
 
 /// Adds the forces of all contacts of one pellet with one wall, which remember in `places`; of a mesh, with the triangles
 /// near the pellet.
 fn touch_wall(
-    chunk: &mut ForceChunk,
+    share: &mut Share,
+    waiting: &mut Waiting,
     local: usize,
     wall: usize,
     places: Range<usize>,
     triangles: &[u32],
 ) {
     let mut is_free = [true; MOST_TOUCHES];
-    if chunk.walls[wall].is_present {
-        let a = chunk.range.start + local;
-        let row = &chunk.pellets.position[a];
-        let (center, reach) = (vector(row), row[3] + chunk.model.holding_gap());
-        let pose = &chunk.walls[wall].pose;
-        let is_moving = chunk.model.setup().walls[wall].motion.is_moving();
+    if share.walls[wall].is_present {
+        let a = share.range.start + local;
+        let row = &share.pellets.position[a];
+        let (center, reach) = (vector(row), row[3] + share.model.holding_gap());
+        let pose = &share.walls[wall].pose;
+        let is_moving = share.model.setup().walls[wall].motion.is_moving();
         let seen = if is_moving {
             pose.inverse_point(center)
         } else {
             center
         };
-        let touchable = chunk.model.touchable(wall);
-        let touches = touchable.touches(seen, reach, triangles);
+        let touches = share.model.touchable(wall).touches(seen, reach, triangles);
         for &surface in touches.as_slice() {
             let surface = Surface {
                 normal: if is_moving {
@@ -69,24 +103,25 @@ fn touch_wall(
                 },
                 ..surface
             };
-            let Some(place) = place_of(chunk, &surface, &places, &is_free) else {
+            let Some(place) = place_of(share, &surface, &places, &is_free) else {
                 continue;
             };
-            is_free[place] = !touch(chunk, local, wall, places.start + place, &surface);
+            let slot = places.start + place;
+            is_free[place] = !touch(share, waiting, local, wall, slot, &surface);
         }
     }
     for (slot, is_free) in places.zip(is_free) {
-        let steps = chunk.contacts.wall.rows[slot].steps;
+        let steps = share.contacts.wall.rows[slot].steps;
         if is_free && steps > 0 {
-            chunk.tally.finish(steps);
-            chunk.contacts.wall.forget(slot);
+            share.scratch.tally.finish(steps);
+            share.contacts.wall.forget(slot);
         }
     }
 }
 
 /// Which of the places remembers a contact: the one that was there in the last step, or else one without a memory.
 fn place_of(
-    chunk: &ForceChunk,
+    share: &Share,
     surface: &Surface,
     places: &Range<usize>,
     is_free: &[bool],
@@ -96,8 +131,8 @@ fn place_of(
     }
     let sameness = |place: usize| {
         let slot = places.start + place;
-        if chunk.contacts.wall.rows[slot].steps > 0 {
-            chunk.contacts.wall_normals[slot].dot(&surface.normal)
+        if share.contacts.wall.rows[slot].steps > 0 {
+            share.contacts.wall_normals[slot].dot(&surface.normal)
         } else {
             SAME_CONTACT
         }
@@ -117,77 +152,187 @@ pub(crate) fn effective_radius(radius: f64, surface: &Surface) -> f64 {
     curvature::effective_radius(relative)
 }
 
-/// Adds the force of one contact with a wall; tells whether the two hold on to each other.
+/// Has one contact with a wall wait for its batch; tells whether the two hold on to each other.
 fn touch(
-    chunk: &mut ForceChunk,
+    share: &mut Share,
+    waiting: &mut Waiting,
     local: usize,
-    index: usize,
+    wall: usize,
     slot: usize,
     surface: &Surface,
 ) -> bool {
-    let model = chunk.model;
-    let a = chunk.range.start + local;
-    let (center, radius) = (
-        vector(&chunk.pellets.position[a]),
-        chunk.pellets.position[a][3],
-    );
-    let wall = &model.setup().walls[index];
+    let model = share.model;
+    let a = share.range.start + local;
+    let row = &share.pellets.position[a];
+    let (center, radius) = (vector(row), row[3]);
     let normal = surface.normal;
     let overlap = radius - surface.distance;
-    let is_held = chunk.contacts.wall.rows[slot].steps > 0 && overlap > -model.holding_gap();
+    let is_held = share.contacts.wall.is_open(slot) && overlap > -model.holding_gap();
     if overlap <= 0.0 && !is_held {
         return false;
     }
     let arm = radius - 0.5 * overlap;
-    let wall_velocity = wall.surface_velocity_at(center - arm * normal, normal, chunk.time);
-    let wall_spin = wall.motion.spin(chunk.time);
+    let point = center - arm * normal;
+    let moving = &model.setup().walls[wall];
+    let (mut wall_velocity, mut wall_spin) = (Vec3::zeros(), Vec3::zeros());
+    if !moving.is_still() {
+        let time = share.time();
+        wall_velocity = moving.surface_velocity_at(point, normal, time);
+        wall_spin = moving.motion.spin(time);
+    }
     let (velocity, spin) = (
-        vector(&chunk.pellets.velocity[a]),
-        vector(&chunk.pellets.spin[a]),
+        vector(&share.pellets.velocity[a]),
+        vector(&share.pellets.spin[a]),
     );
+    let inverse_mass = share.pellets.velocity[a][3];
     let contact = Contact {
         normal,
         overlap,
         relative_velocity: velocity - wall_velocity - arm * spin.cross(&normal),
         relative_spin: spin - wall_spin,
         effective_radius: effective_radius(radius, surface),
-        effective_mass: 1.0 / chunk.pellets.velocity[a][3],
+        effective_mass: 1.0 / inverse_mass,
+        inverse_mass,
     };
-    let pair = model.pair_with_wall(chunk.pellets.kind[a], index);
+    let pair = model.pair_with_wall(share.pellets.kind[a], wall);
+    let memory = &share.contacts.wall.rows[slot];
+    let lane = waiting.count;
+    waiting.batch.set_contact(lane, &contact, radius, arm);
+    waiting.batch.set_pair(lane, pair);
+    waiting.batch.set_history(
+        lane,
+        memory.tangential_stretch,
+        f64::from(memory.normal_force),
+    );
+    waiting.found[lane] = Found {
+        local,
+        wall,
+        slot,
+        point,
+        wall_velocity,
+        wall_spin,
+    };
+    waiting.count += 1;
+    if !model.laws().has_batch() {
+        return work_out_single(share, waiting);
+    }
+    share.contacts.wall_normals[slot] = normal;
+    if waiting.count == LANES {
+        work_out(share, waiting);
+    }
+    true
+}
+
+/// Works out the contacts that wait, and adds what they do.
+fn work_out(share: &mut Share, waiting: &mut Waiting) {
+    let model = share.model;
+    let (laws, sampling) = (model.laws(), model.sampling());
+    let Waiting {
+        batch,
+        found,
+        count,
+    } = waiting;
+    laws.forces(batch, *count, sampling, model.instructions());
+    for (lane, found) in found[..*count].iter().enumerate() {
+        let memory = &mut share.contacts.wall.rows[found.slot];
+        let is_first = memory.steps == 0;
+        *memory = memory.stepped(&batch.next_history(lane));
+        add_load(
+            &mut share.scratch.loads[found.local],
+            &batch.force(lane),
+            &batch.torques(lane)[0],
+        );
+        enter(share, batch, lane, found, is_first, &batch.history(lane));
+    }
+    let tally = &mut share.scratch.tally;
+    tally.totals.add(&batch.totals(*count));
+    tally.open += *count as u64;
+    tally.open_with_walls += *count as u64;
+    *count = 0;
+}
+
+/// Works out the only contact that waits, by laws that have no batch; tells whether the two hold on to each other.
+fn work_out_single(share: &mut Share, waiting: &mut Waiting) -> bool {
+    let model = share.model;
     let laws = model.laws();
-    let memories = &mut chunk.contacts.wall;
-    let last = memories.history(slot, laws);
+    let Waiting {
+        batch,
+        found,
+        count,
+    } = waiting;
+    let found = found[0];
+    let pair = model.pair_with_wall(
+        share.pellets.kind[share.range.start + found.local],
+        found.wall,
+    );
+    let contact = batch.contact(0);
+    let memories = &mut share.contacts.wall;
+    let last = memories.history(found.slot, laws);
     let mut history = last;
     let force = laws.force(&contact, pair, &mut history, model.sampling());
-
-    let moment: Vec3 = -arm * normal.cross(&force.force);
-    add_load(&mut chunk.loads[local], &force, 1.0, moment);
-    let depth = DeepestContact {
-        ratio: overlap / radius,
-        pellet: a,
-        partner: Partner::Wall(index),
-    };
-    let found = || (contact, *pair, last);
-    chunk.tally.open(&force, depth, found, model);
-    chunk.tally.open_with_walls += 1;
-    chunk.tally.wall_force[index] -= force.force;
-    chunk.tally.wall_power +=
-        force.force.dot(&wall_velocity) + force.turning_torque.dot(&wall_spin);
+    batch.set_force(0, &contact, &force, &history);
     let is_over = history.normal_force == 0.0;
-    if model.is_watched(index) {
-        chunk.tally.wall_touches.push(WallTouch {
-            wall: index,
-            is_first: !is_over && chunk.contacts.wall.rows[slot].steps == 0,
-            point: center - arm * normal,
-            velocity: velocity - wall_velocity,
-            friction: pair.friction,
-            contact,
-            force,
-        });
-    }
+    let is_first = !is_over && !memories.is_open(found.slot);
+    add_load(
+        &mut share.scratch.loads[found.local],
+        &batch.force(0),
+        &batch.torques(0)[0],
+    );
+    enter(share, batch, 0, &found, is_first, &last);
+    let tally = &mut share.scratch.tally;
+    tally.totals.add(&batch.totals(1));
+    tally.open += 1;
+    tally.open_with_walls += 1;
+    *count = 0;
     if !is_over {
-        chunk.contacts.wall.step(slot, &history, laws);
-        chunk.contacts.wall_normals[slot] = normal;
+        let memories = &mut share.contacts.wall;
+        memories.step(found.slot, &history, laws);
+        share.contacts.wall_normals[found.slot] = contact.normal;
     }
     !is_over
+}
+
+/// Enters what one contact, which remembered `last`, does to its wall, and what meters see of it.
+fn enter(
+    share: &mut Share,
+    batch: &Batch,
+    lane: usize,
+    found: &Found,
+    is_first: bool,
+    last: &ContactHistory,
+) {
+    let model = share.model;
+    let a = share.range.start + found.local;
+    let pair = model.pair_with_wall(share.pellets.kind[a], found.wall);
+    let tally = &mut share.scratch.tally;
+    let [x, y, z, normal_force] = batch.force(lane);
+    tally.wall_force[found.wall] -= Vec3::new(x, y, z);
+    if !model.setup().walls[found.wall].is_still() {
+        let force = batch.contact_force(lane);
+        tally.wall_power +=
+            force.force.dot(&found.wall_velocity) + force.turning_torque.dot(&found.wall_spin);
+    }
+    let depth = DeepestContact {
+        ratio: batch.overlap(lane) / share.pellets.position[a][3],
+        pellet: a,
+        partner: Partner::Wall(found.wall),
+    };
+    let limit = model.setup().limits.overlap_ratio;
+    if normal_force > tally.noteworthy_force()
+        || depth.ratio > tally.noteworthy_overlap_ratio(limit)
+    {
+        let about = (&batch.contact(lane), pair, last);
+        tally.look_at(model, depth, normal_force, about);
+    }
+    if model.is_watched(found.wall) {
+        tally.wall_touches.push(WallTouch {
+            wall: found.wall,
+            is_first,
+            point: found.point,
+            velocity: vector(&share.pellets.velocity[a]) - found.wall_velocity,
+            friction: pair.friction,
+            contact: batch.contact(lane),
+            force: batch.contact_force(lane),
+        });
+    }
 }

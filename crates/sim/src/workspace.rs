@@ -1,7 +1,10 @@
 //! Scratch: deleting it changes no answer.
 
-use crate::profile::Profile;
+use crate::chunk;
+use crate::profile::{ChunkClock, Profile};
+use crate::rest::Border;
 use crate::state::Row;
+use crate::tally::Tally;
 use crate::wall::WallNow;
 
 /// Lists, loads and clocks.
@@ -9,10 +12,18 @@ use crate::wall::WallNow;
 pub struct Workspace {
     /// Who might touch whom, chunk by chunk.
     pub(crate) lists: Vec<ChunkList>,
-    /// Pairs that touch in this step, chunk by chunk.
-    pub(crate) touches: Vec<Vec<Touch>>,
-    /// What acts on each pellet in this step.
-    pub(crate) loads: Vec<Load>,
+    /// What else each chunk works with.
+    pub(crate) chunks: Vec<ChunkScratch>,
+    /// Where the pellets will be after this step.
+    pub(crate) next: NextRows,
+    /// What all chunks did in this step.
+    pub(crate) tally: Tally,
+    /// Whether no list names anything.
+    pub(crate) is_free: bool,
+    /// Steps taken in free flight so far.
+    pub(crate) free_steps: u64,
+    /// Pellet-steps that sleeping pellets were spared so far.
+    pub(crate) slept: u64,
     /// Where each wall is in this step.
     pub(crate) walls: Vec<WallNow>,
     /// Whether stages run in parallel.
@@ -36,14 +47,39 @@ pub(crate) struct ChunkList {
     pub(crate) near_triangle_ends: Vec<u32>,
 }
 
+/// What a chunk works with between two steps.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct ChunkScratch {
+    /// Pairs that touched in the last step, in the order of the list.
+    pub(crate) touches: Vec<Touch>,
+    /// Room for those of the next.
+    pub(crate) spare_touches: Vec<Touch>,
+    /// What acts on each pellet in this step, and one row more that takes what is not the chunk's own.
+    pub(crate) loads: Vec<Load>,
+    /// What the chunk did in this step.
+    pub(crate) tally: Tally,
+    /// Its pairs with pellets of other chunks, where it sleeps.
+    pub(crate) borders: Vec<Border>,
+    /// Whether both the present and the next rows hold its pellets, where it sleeps.
+    pub(crate) is_copied: bool,
+    /// Time of its stages.
+    pub(crate) clock: ChunkClock,
+}
+
+/// Rows of the pellets one step on, to be exchanged for the present ones.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct NextRows {
+    pub(crate) position: Vec<Row>,
+    pub(crate) velocity: Vec<Row>,
+    pub(crate) spin: Vec<Row>,
+}
+
 /// Two pellets that touch.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct Touch {
     /// Place of the first in its chunk.
     pub(crate) local: u32,
-    /// Index of the second.
-    pub(crate) partner: u32,
-    /// Place of the pair in the chunk's list.
+    /// Place of the pair in the chunk's list, which names the second.
     pub(crate) slot: u32,
 }
 
@@ -63,4 +99,23 @@ pub(crate) struct Load {
     pub(crate) force: Row,
     /// Torque of all contacts [N·m].
     pub(crate) torque: Row,
+}
+
+impl Workspace {
+    /// What acted on a pellet in the last step; nothing on one that has come since.
+    pub(crate) fn load(&self, index: usize, pellets: usize) -> Load {
+        let size = chunk::size(pellets);
+        let chunk = self.chunks.get(index / size);
+        let load = chunk.and_then(|chunk| chunk.loads.get(index % size));
+        load.copied().unwrap_or_default()
+    }
+}
+
+impl NextRows {
+    /// Makes room for a number of pellets.
+    pub(crate) fn resize(&mut self, pellets: usize) {
+        for rows in [&mut self.position, &mut self.velocity, &mut self.spin] {
+            rows.resize(pellets, Row::default());
+        }
+    }
 }

@@ -9,6 +9,7 @@ use super::spring::{SpringForce, turned_into_plane};
 use super::tangential::{Slide, Tangential};
 use super::turning::{ConstantTorque, FreeTurning, Resistance, SpringDashpot, Turning};
 use super::{Contact, ContactForce, ContactHistory};
+use crate::instructions::{InstructionSet, Task};
 use crate::{MaterialPair, Vec3};
 use std::marker::PhantomData;
 
@@ -72,6 +73,7 @@ struct Touch {
 }
 
 /// Force of one contact over one step.
+#[inline(never)]
 pub(super) fn force<N: Normal, T: Tangential, W: Turnings>(
     contact: &Contact,
     pair: &MaterialPair,
@@ -92,34 +94,65 @@ pub(super) fn force<N: Normal, T: Tangential, W: Turnings>(
     composed::<T, W>(contact, pair, turnings, &touch, history, sampling)
 }
 
-/// All lanes as if in the smooth middle of their contacts, then those few again that begin or end.
+/// Contacts of a batch, to be worked out by laws that are known when this is compiled.
+struct Forces<'a, N, T, W> {
+    batch: &'a mut Batch,
+    count: usize,
+    sampling: &'a Sampling,
+    laws: PhantomData<(N, T, W)>,
+}
+
+impl<N: Normal, T: Tangential, W: Turnings + Default> Task for Forces<'_, N, T, W> {
+    type Output = ();
+
+    /// All lanes as if in the smooth middle of their contacts, then those few again that begin or end.
+    #[inline(always)]
+    fn run(self) {
+        let Self {
+            batch,
+            count,
+            sampling,
+            ..
+        } = self;
+        let turnings = W::default();
+        for lane in 0..batch::whole_blocks(count) {
+            let contact = batch.contact(lane);
+            let pair = batch.pair(lane);
+            let mut history = batch.history(lane);
+            let touch = touch::<N>(&contact, &pair, &history, sampling);
+            let force =
+                composed::<T, W>(&contact, &pair, &turnings, &touch, &mut history, sampling);
+            batch.set_force(lane, &contact, &force, &history);
+            batch.set_edge(lane, touch.sample.is_edge);
+        }
+        if sampling.is_located() && batch.has_edge(count) {
+            for lane in 0..count {
+                if batch.is_edge(lane) {
+                    let contact = batch.contact(lane);
+                    let pair = batch.pair(lane);
+                    let mut history = batch.history(lane);
+                    let force =
+                        force::<N, T, W>(&contact, &pair, &turnings, &mut history, sampling);
+                    batch.set_force(lane, &contact, &force, &history);
+                }
+            }
+        }
+    }
+}
+
+/// Forces of the first `count` contacts of a batch.
 pub(super) fn forces<N: Normal, T: Tangential, W: Turnings + Default>(
     batch: &mut Batch,
     count: usize,
     sampling: &Sampling,
+    instructions: InstructionSet,
 ) -> bool {
-    let turnings = W::default();
-    let count = count.min(batch::LANES);
-    for lane in 0..count {
-        let contact = batch.contact(lane);
-        let pair = batch.pair(lane);
-        let mut history = batch.history(lane);
-        let touch = touch::<N>(&contact, &pair, &history, sampling);
-        let force = composed::<T, W>(&contact, &pair, &turnings, &touch, &mut history, sampling);
-        batch.set_force(lane, &contact, &force, &history);
-        batch.set_edge(lane, touch.sample.is_edge);
-    }
-    if sampling.is_located() {
-        for lane in 0..count {
-            if batch.is_edge(lane) {
-                let contact = batch.contact(lane);
-                let pair = batch.pair(lane);
-                let mut history = batch.history(lane);
-                let force = force::<N, T, W>(&contact, &pair, &turnings, &mut history, sampling);
-                batch.set_force(lane, &contact, &force, &history);
-            }
-        }
-    }
+    instructions.run(Forces::<N, T, W> {
+        batch,
+        count: count.min(batch::LANES),
+        sampling,
+        laws: PhantomData,
+    });
     true
 }
 
@@ -174,15 +207,15 @@ fn composed<T: Tangential, W: Turnings>(
     sampling: &Sampling,
 ) -> ContactForce {
     let Sample { law, applied, .. } = touch.sample;
-    let time_step = sampling.time_step();
     let slide = Slide {
         velocity: contact.relative_velocity + touch.predicted_speed * contact.normal,
-        time_step,
+        time_step: sampling.time_step(),
+        rate: sampling.rate(),
         elapsed: touch.sample.elapsed,
         behind: touch.sample.behind,
     };
     let sliding = T::force(contact, pair, &applied, &slide, history);
-    let (rolling, twisting) = turned(contact, pair, turnings, &applied, history, time_step);
+    let (rolling, twisting) = turned(contact, pair, turnings, &applied, history, sampling);
     history.deepest_overlap = if contact.overlap > history.deepest_overlap {
         contact.overlap
     } else {
@@ -200,7 +233,7 @@ fn composed<T: Tangential, W: Turnings>(
         force: applied.force * contact.normal + sliding.force,
         turning_torque: rolling.force + twisting.force,
         elastic_energy: law.elastic_energy,
-        dissipation: applied.dissipation + applied.spring_heat / time_step,
+        dissipation: applied.dissipation + applied.spring_heat * sampling.rate(),
         shear_energy: sliding.elastic_energy + rolling.elastic_energy + twisting.elastic_energy,
         shear_power: sliding.power + rolling.power + twisting.power,
     }
@@ -214,14 +247,14 @@ fn turned<W: Turnings>(
     turnings: &W,
     normal: &NormalForce,
     history: &mut ContactHistory,
-    time_step: f64,
+    sampling: &Sampling,
 ) -> (SpringForce, SpringForce) {
     let twist = contact.relative_spin.dot(&contact.normal) * contact.normal;
     let roll = contact.relative_spin - twist;
     let mut rolled = turned_into_plane(history.rolling_stretch, contact.normal);
     let mut twisted = history.twisting_stretch * contact.normal;
-    let of_rolling = Resistance::of_rolling(contact, pair, normal, time_step);
-    let of_twisting = Resistance::of_twisting(contact, pair, normal, time_step);
+    let of_rolling = Resistance::of_rolling(contact, pair, normal, sampling);
+    let of_twisting = Resistance::of_twisting(contact, pair, normal, sampling);
     let rolling = turnings.roll(&of_rolling, roll, &mut rolled);
     let twisting = turnings.twist(&of_twisting, twist, &mut twisted);
     history.rolling_stretch = rolled;

@@ -86,6 +86,7 @@ fn touch(overlap: f64) -> Contact {
         relative_spin: Vec3::new(4.0, 1.0, -2.0),
         effective_radius: 3.75e-3,
         effective_mass: 3.27e-3,
+        inverse_mass: 1.0 / 3.27e-3,
     }
 }
 

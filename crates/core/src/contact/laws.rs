@@ -8,6 +8,7 @@ use super::tangential::{Coulomb, Mindlin, NoFriction, PartialSlip};
 use super::turning::{ConstantTorque, FreeTurning};
 use super::{Contact, ContactForce, ContactHistory, Sampling};
 use crate::MaterialPair;
+use crate::instructions::InstructionSet;
 use serde::{Deserialize, Serialize};
 
 /// How bodies push apart.
@@ -152,11 +153,25 @@ impl ContactLaws {
         }
     }
 
+    /// Whether these laws can be worked out in batches.
+    pub fn has_batch(&self) -> bool {
+        matches!(self.normal, NormalLaw::Hertz | NormalLaw::Linear)
+            && self.tangential != TangentialLaw::PartialSlip
+            && self.rolling != TurningLaw::SpringDashpot
+            && self.twisting == TurningLaw::None
+    }
+
     /// Forces of the first `count` contacts of a batch over one step: the same bits as one by one.
     ///
     /// Tells whether these laws can be worked out in batches; nothing is done where they cannot.
-    pub fn forces(&self, batch: &mut Batch, count: usize, sampling: &Sampling) -> bool {
-        with_batched_parts!(self, (batch, count, sampling))
+    pub fn forces(
+        &self,
+        batch: &mut Batch,
+        count: usize,
+        sampling: &Sampling,
+        instructions: InstructionSet,
+    ) -> bool {
+        with_batched_parts!(self, (batch, count, sampling, instructions))
     }
 
     /// Greatest normal force within a step of a sample [N]; that of the sample where the top is farther away.

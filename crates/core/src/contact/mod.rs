@@ -44,6 +44,8 @@ pub struct Contact {
     pub effective_radius: f64,
     /// `m* = 1 / (1/m_A + 1/m_B)`; a wall has no inverse mass [kg].
     pub effective_mass: f64,
+    /// `1 / m*`, so that nobody divides by it [1/kg].
+    pub inverse_mass: f64,
 }
 
 /// What a contact remembers from first touch to release.

@@ -17,6 +17,8 @@ use super::peak::Motion;
 pub struct Sampling {
     /// The time step [s].
     time_step: f64,
+    /// Steps per second [1/s].
+    rate: f64,
     /// What the last sample's force is multiplied by to complete the speed: half a step, or nothing [s].
     completion: f64,
     /// `Δt² / 12`, or nothing [s²].
@@ -48,6 +50,7 @@ impl Sampling {
     pub fn plain(time_step: f64) -> Self {
         Self {
             time_step,
+            rate: 1.0 / time_step,
             completion: 0.0,
             gradient: 0.0,
         }
@@ -57,6 +60,7 @@ impl Sampling {
     pub fn located(time_step: f64) -> Self {
         Self {
             time_step,
+            rate: 1.0 / time_step,
             completion: 0.5 * time_step,
             gradient: time_step * time_step / 12.0,
         }
@@ -65,6 +69,11 @@ impl Sampling {
     /// The time step [s].
     pub fn time_step(&self) -> f64 {
         self.time_step
+    }
+
+    /// Steps per second [1/s].
+    pub(super) fn rate(&self) -> f64 {
+        self.rate
     }
 
     /// Whether first touch and release are located.
@@ -77,7 +86,7 @@ impl Sampling {
     /// The leapfrog conserves `T (1 + Δt² S / 6 m*) + V − c F² Δt² / m*` in place of `T + V`, with c of 1/24
     /// (Hairer, Lubich & Wanner 2006, section IX.3), and of 1/12 with the force gradient.
     pub(super) fn true_motion(&self, contact: &Contact, sample: &Sample) -> Motion {
-        let per_mass = self.time_step * self.time_step / contact.effective_mass;
+        let per_mass = self.time_step * self.time_step * contact.inverse_mass;
         let share = if self.is_located() { 12.0 } else { 24.0 };
         Motion {
             overlap: contact.overlap - sample.law.force * per_mass / share,
@@ -94,7 +103,7 @@ impl Sampling {
         predicted_speed: f64,
         last_force: f64,
     ) -> Sample {
-        let inverse_mass = 1.0 / contact.effective_mass;
+        let inverse_mass = contact.inverse_mass;
         let speed =
             predicted_speed - self.completion * inverse_mass * (predicted.force - last_force);
         let completed = predicted.at_speed(speed);
@@ -103,9 +112,11 @@ impl Sampling {
             force: completed.force * softening,
             ..completed
         };
-        let next = completed.force + self.time_step * rate::<N>(&completed, contact, speed);
         let begins = last_force == 0.0;
-        let ends = N::ENDS_AT_ZERO && speed < 0.0 && completed.force > 0.0 && next < 0.0;
+        let ends = N::ENDS_AT_ZERO
+            && speed < 0.0
+            && completed.force > 0.0
+            && self.is_gone_next::<N>(&completed, contact, speed);
         Sample {
             speed,
             law,
@@ -118,6 +129,17 @@ impl Sampling {
             },
             behind: 0.5 * self.time_step,
         }
+    }
+
+    /// Whether the law's force, at the rate it changes now, is gone within a step.
+    ///
+    /// The rate is `(S + p c v / δ) v − c F / m*`; all is multiplied by δ to spare the division.
+    #[inline(always)]
+    fn is_gone_next<N: Normal>(&self, force: &NormalForce, contact: &Contact, speed: f64) -> bool {
+        let overlap = force.elastic_overlap;
+        let by_overlap = force.stiffness * overlap + N::DAMPING_POWER * force.damping * speed;
+        let by_speed = force.damping * force.force * contact.inverse_mass * overlap;
+        overlap * force.force + self.time_step * (by_overlap * speed - by_speed) < 0.0
     }
 
     /// The sample next to first touch or release, from that of a smooth contact.
@@ -137,8 +159,7 @@ impl Sampling {
             }
             let begun = first::<N>(predicted, predicted_speed, share);
             // A step's work is its impulse times the mean of the velocities before and after.
-            let mean_speed =
-                predicted_speed - self.completion * begun.force / contact.effective_mass;
+            let mean_speed = predicted_speed - self.completion * begun.force * contact.inverse_mass;
             return Sample {
                 speed: predicted_speed,
                 applied: NormalForce {
@@ -152,7 +173,7 @@ impl Sampling {
         }
         let completed = predicted.at_speed(smooth.speed);
         // The bodies part at the speed that this sample leaves them with.
-        let parting = smooth.speed - self.completion * completed.force / contact.effective_mass;
+        let parting = smooth.speed - self.completion * completed.force * contact.inverse_mass;
         let share = completed.elastic_overlap / (-parting * self.time_step);
         match last::<N>(&completed, smooth.speed, share) {
             Some(force) => Sample {
@@ -162,14 +183,6 @@ impl Sampling {
             None => smooth,
         }
     }
-}
-
-/// Rate at which the law's force changes [N/s].
-#[inline(always)]
-fn rate<N: Normal>(force: &NormalForce, contact: &Contact, speed: f64) -> f64 {
-    let by_overlap =
-        force.stiffness + N::DAMPING_POWER * force.damping * speed / force.elastic_overlap;
-    by_overlap * speed - force.damping * force.force / contact.effective_mass
 }
 
 /// The first sample of a contact, a share of a step after first touch.

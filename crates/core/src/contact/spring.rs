@@ -71,10 +71,9 @@ impl CappedSpring {
         };
         let force = share * stuck;
         // The damper may hold the cap alone; the spring then goes on until it holds it, and no farther.
-        let tried_squared = tried.norm_squared();
-        let longest = self.cap / self.root_stiffness;
-        let kept = if tried_squared > longest * longest {
-            longest / tried_squared.sqrt()
+        let pulled_squared = self.root_stiffness * self.root_stiffness * tried.norm_squared();
+        let kept = if pulled_squared > self.cap * self.cap {
+            self.cap / pulled_squared.sqrt()
         } else {
             1.0
         };

@@ -108,17 +108,22 @@ impl HalfPlaneSurface {
     }
 }
 
+/// Distance from the z axis [m]; the library's own hypotenuse guards against overflow, at several times the cost.
+pub(crate) fn from_axis(point: Vec3) -> f64 {
+    (point.x * point.x + point.y * point.y).sqrt()
+}
+
 /// Turns a surface of the half-plane about the z axis.
 pub(super) fn turned(
     point: Vec3,
     half_plane_surface: impl Fn(f64, f64) -> HalfPlaneSurface,
 ) -> Surface {
-    lifted(point, &half_plane_surface(point.x.hypot(point.y), point.z))
+    lifted(point, &half_plane_surface(from_axis(point), point.z))
 }
 
 /// What the half-plane of a point says of it, in space, with the curvature of the turn.
 pub(crate) fn lifted(point: Vec3, flat: &HalfPlaneSurface) -> Surface {
-    let from_axis = point.x.hypot(point.y);
+    let from_axis = from_axis(point);
     let (cos, sin) = if from_axis > 0.0 {
         (point.x / from_axis, point.y / from_axis)
     } else {

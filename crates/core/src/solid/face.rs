@@ -3,7 +3,7 @@
 use super::similarity::Similarity;
 use crate::shape::combination::inside_out;
 use crate::shape::offset::parallel;
-use crate::shape::revolution::{HalfPlaneSurface, lifted};
+use crate::shape::revolution::{HalfPlaneSurface, from_axis, lifted};
 use crate::{Bounds, Shape, Surface, Vec3};
 
 /// A face where it stands.
@@ -33,11 +33,6 @@ pub(super) enum FaceKind {
         /// Unit vector out of the solid [-].
         normal: [f64; 2],
     },
-}
-
-/// Distance from the z axis; the library's own hypotenuse guards against overflow, at several times the cost.
-fn from_axis(point: Vec3) -> f64 {
-    (point.x * point.x + point.y * point.y).sqrt()
 }
 
 impl Face {

@@ -22,7 +22,7 @@ pub(super) fn offer(profile: &Profile, center: Vec3, touches: &mut Touches) {
         }
         Profile::Plate { thickness, .. } => thickness / 2.0,
     };
-    let point = [center.x.hypot(center.y), center.z];
+    let point = [revolution::from_axis(center), center.z];
     for flat in nearest_points(profile, point) {
         let grown = HalfPlaneSurface {
             distance: flat.distance - half_thickness,

@@ -98,6 +98,7 @@ pub(crate) fn setup(pellets: usize) -> Setup {
             ..Limits::default()
         },
         skips: Skips::default(),
+        instructions: None,
     }
 }
 

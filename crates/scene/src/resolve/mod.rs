@@ -145,6 +145,7 @@ impl Resolver<'_> {
                 skin: spec.contact.skin.map(|Size(skin)| skin),
                 limits: run::limits(&spec.limits),
                 skips: run::skips(&spec.skip),
+                instructions: None,
             },
             notes: std::mem::take(&mut self.notes),
             files: std::mem::take(&mut self.files),

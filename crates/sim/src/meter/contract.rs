@@ -117,6 +117,7 @@ fn scene(meters: Vec<MeterKind>) -> Setup {
         skin: None,
         limits: Limits::default(),
         skips: Skips::default(),
+        instructions: None,
     }
 }
 

@@ -142,6 +142,7 @@ mod tests {
             relative_spin: Vec3::zeros(),
             effective_radius: 0.5e-3,
             effective_mass: 1.0e-6,
+            inverse_mass: 1.0 / 1.0e-6,
         }
     }
 

@@ -124,6 +124,7 @@ mod tests {
             relative_spin: Vec3::zeros(),
             effective_radius: 3.0e-3,
             effective_mass: 1.7e-3,
+            inverse_mass: 1.0 / 1.7e-3,
         };
         let yield_overlap = contact.effective_radius
             * (PI * pair.yield_pressure / (2.0 * pair.effective_youngs_modulus)).powi(2);

@@ -22,7 +22,7 @@ impl Tangential for Coulomb {
         slide: &Slide,
         _: &mut ContactHistory,
     ) -> SpringForce {
-        let steadiest = steadiest_damping(contact, slide.time_step);
+        let steadiest = steadiest_damping(contact, slide);
         let cap = pair.friction * normal.pressing();
         let squared = slide.velocity.norm_squared();
         let per_speed = if squared * steadiest * steadiest > cap * cap {

@@ -22,6 +22,8 @@ pub struct Slide {
     pub velocity: Vec3,
     /// The time step [s].
     pub time_step: f64,
+    /// Steps per second [1/s].
+    pub rate: f64,
     /// Time since the last sample, or since first touch [s].
     pub elapsed: f64,
     /// Time before the sample for which the velocity stands where a spring stiffens with the contact [s].
@@ -50,8 +52,8 @@ const SLIDING_MASS: f64 = 2.0 / 7.0;
 
 /// Greatest force against sliding, over the speed, that keeps a step stable [N·s/m].
 #[inline(always)]
-fn steadiest_damping(contact: &Contact, time_step: f64) -> f64 {
-    STOPPED_PER_STEP * SLIDING_MASS * contact.effective_mass / time_step
+fn steadiest_damping(contact: &Contact, slide: &Slide) -> f64 {
+    STOPPED_PER_STEP * SLIDING_MASS * contact.effective_mass * slide.rate
 }
 
 /// Damping of a spring against sliding of a stiffness [N/m], in [N·s/m].
@@ -69,10 +71,10 @@ fn damping(
     // Both directions are damped by one ratio, c ∝ √(stiffness m*), and the normal root is known.
     let of_pair = normal.damping * pair.tangential_damping_share;
     let per_step = slide.time_step * stiffness;
-    let mass = SLIDING_MASS * contact.effective_mass;
-    let of_prediction = 0.25 * slide.time_step * per_step * per_step / mass;
+    let per_mass = contact.inverse_mass / SLIDING_MASS;
+    let of_prediction = 0.25 * slide.time_step * per_step * per_step * per_mass;
     let damping = of_pair + of_prediction;
-    let steadiest = steadiest_damping(contact, slide.time_step);
+    let steadiest = steadiest_damping(contact, slide);
     if damping < steadiest {
         damping
     } else {

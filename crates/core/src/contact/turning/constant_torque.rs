@@ -17,7 +17,7 @@ impl Turning for ConstantTorque {
     #[inline(always)]
     fn torque(resistance: &Resistance, spin: Vec3, _: &mut Vec3) -> SpringForce {
         let size = spin.norm();
-        let stopping = STOPPED_PER_STEP * resistance.inertia * size / resistance.time_step;
+        let stopping = STOPPED_PER_STEP * resistance.inertia * size * resistance.rate;
         let smaller = if resistance.most < stopping {
             resistance.most
         } else {

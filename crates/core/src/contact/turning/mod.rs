@@ -9,6 +9,7 @@ pub use none::FreeTurning;
 pub use spring_dashpot::SpringDashpot;
 
 use super::Contact;
+use super::Sampling;
 use super::normal::NormalForce;
 use super::spring::SpringForce;
 use crate::{MaterialPair, Vec3};
@@ -27,6 +28,8 @@ pub struct Resistance {
     pub inertia: f64,
     /// The time step [s].
     pub time_step: f64,
+    /// Steps per second [1/s].
+    pub rate: f64,
 }
 
 /// A law of turning.
@@ -45,13 +48,13 @@ impl Resistance {
         contact: &Contact,
         pair: &MaterialPair,
         normal: &NormalForce,
-        time_step: f64,
+        sampling: &Sampling,
     ) -> Self {
         let arm = pair.rolling_friction * contact.effective_radius;
         Self {
             most: arm * normal.pressing(),
             stiffness: 2.25 * normal.stiffness * arm * arm,
-            ..Self::any(contact, pair, time_step)
+            ..Self::any(contact, pair, sampling)
         }
     }
 
@@ -62,25 +65,26 @@ impl Resistance {
         contact: &Contact,
         pair: &MaterialPair,
         normal: &NormalForce,
-        time_step: f64,
+        sampling: &Sampling,
     ) -> Self {
         let radius = normal.contact_radius;
         Self {
             most: 3.0 * PI / 16.0 * pair.friction * radius * normal.pressing(),
             stiffness: 16.0 / 3.0 * pair.series_shear_modulus * radius * radius * radius,
-            ..Self::any(contact, pair, time_step)
+            ..Self::any(contact, pair, sampling)
         }
     }
 
     #[inline(always)]
-    fn any(contact: &Contact, pair: &MaterialPair, time_step: f64) -> Self {
+    fn any(contact: &Contact, pair: &MaterialPair, sampling: &Sampling) -> Self {
         let radius = contact.effective_radius;
         Self {
             most: 0.0,
             stiffness: 0.0,
             damping_ratio: pair.rolling_damping,
             inertia: SOLID_SPHERE * contact.effective_mass * radius * radius,
-            time_step,
+            time_step: sampling.time_step(),
+            rate: sampling.rate(),
         }
     }
 }
