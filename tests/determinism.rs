@@ -109,6 +109,7 @@ fn every_neighbor_search_gives_the_same_bits() {
     };
     let oracle = run(NeighborSearch::AllPairs);
     assert_eq!(run(NeighborSearch::Grid), oracle);
+    assert_eq!(run(NeighborSearch::HierarchicalGrid), oracle);
     assert_eq!(run(NeighborSearch::Tree), oracle);
 }
 

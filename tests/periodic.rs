@@ -143,6 +143,7 @@ fn every_search_and_any_number_of_threads_give_the_same_bits_across_borders() {
         };
         let oracle = hash(NeighborSearch::AllPairs, 1);
         assert_eq!(hash(NeighborSearch::Grid, 1), oracle);
+        assert_eq!(hash(NeighborSearch::HierarchicalGrid, 2), oracle);
         assert_eq!(hash(NeighborSearch::Tree, 2), oracle);
         assert_eq!(hash(NeighborSearch::Grid, 3), oracle);
     }

@@ -1,4 +1,4 @@
-//! Who might touch: partners of each pellet, the walls near it, and the triangles of a wall that is a mesh.
+//! Who might touch: partners of each pellet, and the triangles of a wall that is a mesh.
 //!
 //! One contract, several ways to fill it. Pellets are stored in chunks; a pair inside a chunk is listed once,
 //! at its lower index, and a pair across chunks at both ends, so that each chunk can be advanced on its own.
@@ -8,19 +8,21 @@
 
 pub mod all_pairs;
 pub mod baked;
+mod block;
+mod cells;
 pub mod grid;
+pub mod hierarchical_grid;
 pub mod mesh;
 pub mod morton;
 pub mod periodic;
 pub mod tree;
-pub mod walls;
 
 pub use baked::{BakeError, BakedMesh, Deviation};
 pub use grid::Grid;
+pub use hierarchical_grid::HierarchicalGrid;
 pub use mesh::MeshTree;
 pub use periodic::PeriodicBox;
 pub use tree::Tree;
-pub use walls::WallTree;
 
 use std::ops::Range;
 
@@ -31,7 +33,9 @@ pub type SphereRow = [f64; 4];
 #[derive(Debug)]
 pub enum Search<'a> {
     /// A grid of cells.
-    Grid(Grid),
+    Grid(Grid<'a>),
+    /// A grid of cells for each octave of sizes.
+    HierarchicalGrid(HierarchicalGrid<'a>),
     /// A tree of boxes.
     Tree(Tree<'a>),
     /// Every pair.
@@ -46,26 +50,42 @@ pub enum Search<'a> {
 }
 
 impl Search<'_> {
-    /// Appends the partners that pellet `index` lists, rising; `chunk` is the range of pellets stored with it.
-    pub fn partners_into(&self, index: usize, chunk: &Range<usize>, partners: &mut Vec<u32>) {
-        let first = partners.len();
-        let mut keep = |other: usize| {
-            if other > index || (other < index && !chunk.contains(&other)) {
-                partners.push(other as u32);
-            }
-        };
+    /// Appends the partners that each pellet of a chunk lists, rising for each, and their end to `offsets`.
+    pub fn list(&self, chunk: &Range<usize>, offsets: &mut Vec<u32>, partners: &mut Vec<u32>) {
         match self {
-            Self::Grid(grid) => grid.for_each_within_reach(index, &mut keep),
-            Self::Tree(tree) => tree.for_each_within_reach(index, &mut keep),
+            Self::Grid(grid) => grid.list(chunk, offsets, partners),
+            Self::HierarchicalGrid(grid) => grid.list(chunk, offsets, partners),
+            Self::Tree(tree) => list_each(chunk, offsets, partners, |index, mut visit| {
+                tree.for_each_within_reach(index, &mut visit);
+            }),
             Self::AllPairs {
                 rows,
                 skin,
                 periodic,
-            } => {
-                all_pairs::for_each_within_reach(rows, *skin, periodic.as_ref(), index, &mut keep);
-            }
+            } => list_each(chunk, offsets, partners, |index, mut visit| {
+                let periodic = periodic.as_ref();
+                all_pairs::for_each_within_reach(rows, *skin, periodic, index, &mut visit);
+            }),
         }
+    }
+}
+
+/// Lists the partners of one pellet after the other; `visit_partners` calls back with all within reach of one.
+fn list_each(
+    chunk: &Range<usize>,
+    offsets: &mut Vec<u32>,
+    partners: &mut Vec<u32>,
+    visit_partners: impl Fn(usize, &mut dyn FnMut(usize)),
+) {
+    for index in chunk.clone() {
+        let first = partners.len();
+        visit_partners(index, &mut |other| {
+            if block::is_listed(other, index, chunk) {
+                partners.push(other as u32);
+            }
+        });
         partners[first..].sort_unstable();
+        offsets.push(partners.len() as u32);
     }
 }
 

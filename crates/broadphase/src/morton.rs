@@ -5,30 +5,29 @@ use crate::SphereRow;
 /// Bits of each coordinate in a key: three times 21 fit in 64 [-].
 const BITS: u32 = 21;
 
-/// Order of the pellets along Morton's curve over cells of a width [m]: the n-th entry is the row to put n-th.
+/// Cells on either side of the origin along an axis [-].
+const HALF: f64 = (1_u32 << (BITS - 1)) as f64;
+
+/// Place of a pellet along Morton's curve over cells of a width [m].
 ///
-/// Pellets of one cell keep their order, so the result depends on nothing but the rows.
-pub fn order(rows: &[SphereRow], cell_width: f64) -> Vec<u32> {
-    let mut low = [f64::INFINITY; 3];
-    for row in rows {
-        for axis in 0..3 {
-            low[axis] = low[axis].min(row[axis]);
-        }
-    }
-    let per_meter = 1.0 / cell_width;
-    let largest = f64::from((1_u32 << BITS) - 1);
-    let mut keys: Vec<(u64, u32)> = rows
-        .iter()
-        .enumerate()
-        .map(|(index, row)| {
-            let spread = |axis: usize| {
-                spread_bits((((row[axis] - low[axis]) * per_meter).min(largest)) as u64)
-            };
-            (spread(0) | spread(1) << 1 | spread(2) << 2, index as u32)
-        })
-        .collect();
-    keys.sort_unstable();
-    keys.into_iter().map(|(_, index)| index).collect()
+/// The cells lie where the width says, wherever the pellets are: what rests keeps its key.
+#[inline]
+pub fn key(row: &SphereRow, cell_width: f64) -> u64 {
+    let spread = |axis: usize| {
+        // A conversion to a whole number saturates; truncation is the next whole number below of what is positive.
+        let cell = (row[axis] / cell_width + HALF) as u64;
+        spread_bits(cell.min((1 << BITS) - 1))
+    };
+    spread(0) | spread(1) << 1 | spread(2) << 2
+}
+
+/// Order of the pellets along Morton's curve: the n-th entry is the row to put n-th.
+///
+/// Pellets of one cell keep their order, so the result depends on nothing but the keys.
+pub fn order(keys: &[u64]) -> Vec<u32> {
+    let mut places: Vec<(u64, u32)> = keys.iter().copied().zip(0..).collect();
+    places.sort_unstable();
+    places.into_iter().map(|(_, index)| index).collect()
 }
 
 /// Puts two zeros between every two bits.
@@ -52,7 +51,8 @@ mod tests {
             [bit(0), bit(1), bit(2), 0.1]
         };
         let rows: Vec<SphereRow> = (0..8).rev().map(corner).collect();
-        let order = order(&rows, 0.5);
+        let keys: Vec<u64> = rows.iter().map(|row| key(row, 0.5)).collect();
+        let order = order(&keys);
         let visited: Vec<SphereRow> = order.iter().map(|&index| rows[index as usize]).collect();
         assert_eq!(visited, (0..8).map(corner).collect::<Vec<_>>());
     }

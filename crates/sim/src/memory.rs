@@ -69,6 +69,14 @@ fn rounded(force: f64) -> f32 {
 }
 
 impl ContactMemories {
+    /// As many contacts that have not begun.
+    pub(crate) fn new(count: usize, laws: ContactLaws) -> Self {
+        Self {
+            rows: vec![ContactMemory::default(); count],
+            extra: vec![0.0; count * laws.extra_numbers()],
+        }
+    }
+
     /// All that a contact remembers.
     pub(crate) fn history(&self, slot: usize, laws: ContactLaws) -> ContactHistory {
         let mut history = self.rows[slot].history();
@@ -106,29 +114,31 @@ impl ContactMemories {
         self.extra[extra].fill(0.0);
     }
 
-    /// Adds a contact that has not begun.
-    pub(crate) fn push_new(&mut self, laws: ContactLaws) {
-        self.rows.push(ContactMemory::default());
-        self.extra
-            .resize(self.rows.len() * laws.extra_numbers(), 0.0);
-    }
-
-    /// Adds a contact of another list, as its partner remembers it where `side` says so.
-    pub(crate) fn push_from(&mut self, other: &Self, slot: usize, side: Side, laws: ContactLaws) {
+    /// Carries on a contact of another list, as its partner remembers it where `side` says so.
+    pub(crate) fn carry(
+        &mut self,
+        slot: usize,
+        other: &Self,
+        from: usize,
+        side: Side,
+        laws: ContactLaws,
+    ) {
+        let memory = other.rows[from];
+        // What has not begun is empty here as it is there.
+        if memory.steps == 0 {
+            return;
+        }
+        let extra = self.extra_of(slot);
         match side {
             Side::Same => {
-                self.rows.push(other.rows[slot]);
-                self.extra
-                    .extend_from_slice(&other.extra[other.extra_of(slot)]);
+                self.rows[slot] = memory;
+                self.extra[extra].copy_from_slice(&other.extra[other.extra_of(from)]);
             }
             Side::Partner => {
-                self.rows.push(other.rows[slot].mirrored());
-                let numbers = other.extra_of(slot).len();
-                if numbers > 0 {
-                    let place = self.extra.len();
-                    self.extra.resize(place + numbers, 0.0);
-                    let history = other.history(slot, laws).mirrored();
-                    laws.pack(&history, &mut self.extra[place..]);
+                self.rows[slot] = memory.mirrored();
+                if !extra.is_empty() {
+                    let history = other.history(from, laws).mirrored();
+                    laws.pack(&history, &mut self.extra[extra]);
                 }
             }
         }

@@ -81,14 +81,11 @@ pub(crate) fn wake(model: &Model, state: &mut State, workspace: &mut Workspace) 
     let is_asleep: Vec<bool> = state.sleeping.iter().map(Option::is_some).collect();
     let size = chunk::size(count);
     let mut woken = Vec::new();
-    for (index, range) in chunk::ranges(count).enumerate() {
+    for index in 0..is_asleep.len() {
         let Some(sleep) = &state.sleeping[index] else {
             continue;
         };
-        let scratch = &mut workspace.chunks[index];
-        if !scratch.is_copied {
-            scratch.borders = borders(&workspace.lists[index], &range);
-        }
+        let scratch = &workspace.chunks[index];
         let memories = &state.contacts[index].pellet;
         let is_disturbed = has_gate_moved
             || scratch.borders.iter().any(|border| {
@@ -180,8 +177,14 @@ pub(crate) fn carry(model: &Model, state: &mut State, workspace: &mut Workspace,
             *sleep = None;
         }
     }
-    for chunk in &mut workspace.chunks {
-        chunk.is_copied = false;
+    let is_order_kept = before == now.as_slice();
+    let chunks = workspace.chunks.iter_mut().zip(&workspace.lists);
+    let ranges = chunk::ranges(now.len()).zip(&state.sleeping);
+    for ((chunk, list), (range, sleep)) in chunks.zip(ranges) {
+        chunk.is_copied &= is_order_kept;
+        if sleep.is_some() {
+            chunk.borders = borders(list, &range);
+        }
     }
 }
 
@@ -254,7 +257,7 @@ fn is_beside_moving_wall(model: &Model, list: &ChunkList) -> bool {
 
 fn fall_asleep(state: &mut State, workspace: &mut Workspace, index: usize, range: Range<usize>) {
     let pellets = &mut state.pellets;
-    for place in range {
+    for place in range.clone() {
         let kinetic =
             stop(&mut pellets.half_step_velocity[place]) + stop(&mut pellets.half_step_spin[place]);
         state.books.energy.damped += kinetic;
@@ -263,6 +266,7 @@ fn fall_asleep(state: &mut State, workspace: &mut Workspace, index: usize, range
     }
     let scratch = &mut workspace.chunks[index];
     scratch.is_copied = false;
+    scratch.borders = borders(&workspace.lists[index], &range);
     let mut tally = scratch.tally.clone();
     tally.be_still();
     state.sleeping[index] = Some(Sleep {

@@ -165,11 +165,13 @@ impl Domain {
 /// How neighbors are found; every way gives the same list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum NeighborSearch {
-    /// The grid for near-equal sizes, the tree for wide ratios.
+    /// The grid for near-equal sizes, the hierarchical grid for wide ratios.
     #[default]
     Auto,
     /// A grid of cells as wide as the largest pellet.
     Grid,
+    /// A grid of cells for each octave of sizes.
+    HierarchicalGrid,
     /// Parry's tree of boxes.
     Tree,
     /// Every pair; the oracle of the others.

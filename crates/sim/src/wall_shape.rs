@@ -97,6 +97,18 @@ impl WallShape {
     }
 }
 
+impl WallShape {
+    /// False only where no point of a ball of radius `reach` [m] about `point` [m] is on the surface or inside.
+    pub(crate) fn may_be_near(&self, point: Vec3, reach: f64) -> bool {
+        match self {
+            Self::Solid(shape) => shape.distance(point) < reach,
+            Self::Mesh(tree) => tree.distance(point) < reach,
+            // Its bounds are all that is cheap: its distances are off by a share of a cell.
+            Self::Baked(_) => true,
+        }
+    }
+}
+
 impl PartialEq for WallShape {
     fn eq(&self, other: &Self) -> bool {
         match (self, other) {

@@ -173,6 +173,7 @@ pub(super) fn search(spec: SearchSpec) -> NeighborSearch {
     match spec {
         SearchSpec::Auto => NeighborSearch::Auto,
         SearchSpec::Grid => NeighborSearch::Grid,
+        SearchSpec::HierarchicalGrid => NeighborSearch::HierarchicalGrid,
         SearchSpec::Tree => NeighborSearch::Tree,
         SearchSpec::AllPairs => NeighborSearch::AllPairs,
     }

@@ -96,11 +96,13 @@ pub(crate) enum TurningSpec {
 #[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub(crate) enum SearchSpec {
-    /// The grid for near-equal sizes, the tree for wide ratios.
+    /// The grid for near-equal sizes, the hierarchical grid for wide ratios.
     #[default]
     Auto,
     /// A grid of cells.
     Grid,
+    /// A grid of cells for each octave of sizes.
+    HierarchicalGrid,
     /// A tree of boxes.
     Tree,
     /// Every pair; slow, to compare with.

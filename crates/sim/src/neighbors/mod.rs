@@ -1,0 +1,125 @@
+//! Neighbors: storage order, lists, and the contacts' memory carried from the old lists to the new.
+
+mod carry;
+mod near_walls;
+
+use crate::chunk;
+use crate::model::Model;
+use crate::setup::NeighborSearch;
+use crate::state::{Pellets, Row, State};
+use crate::workspace::{ChunkList, Workspace};
+use carry::OldContacts;
+use near_walls::Walls;
+use pelletflow_broadphase::{Grid, HierarchicalGrid, Search, Tree, morton};
+use std::ops::Range;
+
+/// Size ratio up to which one grid finds neighbors faster than one for each octave [-] (docs/decisions/0012).
+const GRID_SIZE_RATIO: f64 = 2.0;
+
+/// Pellets to one that is stored before its predecessor on the curve, below which they are stored anew [-].
+const ORDER_KEPT: usize = 8;
+
+/// Whether some pellet may have come within reach of a body that its list does not name.
+pub(crate) fn is_search_due(model: &Model, state: &State) -> bool {
+    is_search_due_after(model, state, 0.0, 0)
+        || state.searched_position.len() != state.pellets.len()
+}
+
+/// The same after a number of steps in which no pellet moves by more than `ahead` [m].
+pub(crate) fn is_search_due_after(model: &Model, state: &State, ahead: f64, steps: u64) -> bool {
+    let walls_moved = model.greatest_wall_speed()
+        * model.time_step().seconds
+        * (state.steps_since_search + steps + 1) as f64;
+    let moved = state.moved_since_search + ahead;
+    moved + moved.max(walls_moved) > model.skin() - model.holding_gap()
+}
+
+/// Stores the pellets named by `kept` (indices into the present rows) and lists their neighbors.
+///
+/// Rows not named are dropped with their contacts. Nothing has moved by more than half the skin since the last search.
+pub(crate) fn search(model: &Model, state: &mut State, workspace: &mut Workspace, kept: &[u32]) {
+    let old_lists = std::mem::take(&mut workspace.lists);
+    let old_contacts = std::mem::take(&mut state.contacts);
+    let old_count = state.searched_position.len();
+    let order = storage_order(model, &state.pellets, kept, workspace.is_parallel);
+    state.pellets.select(&order);
+    let count = state.pellets.len();
+
+    let old = OldContacts {
+        chunk_size: chunk::size(old_count),
+        count: old_count,
+        lists: &old_lists,
+        contacts: &old_contacts,
+    };
+    let positions = &state.pellets.position;
+    let search = searcher(model, positions);
+    let walls = Walls::new(model, &workspace.walls);
+    let listed = chunk::map(
+        workspace.is_parallel,
+        chunk::ranges(count).collect(),
+        |range| {
+            let mut list = list_partners(&search, &range);
+            walls.list(positions, &range, &mut list);
+            let contacts = old.carry(model.laws(), &list, &order, &range);
+            (list, contacts)
+        },
+    );
+    (workspace.lists, state.contacts) = listed.into_iter().unzip();
+    state.searched_position.clone_from(&state.pellets.position);
+    state.moved_since_search = 0.0;
+    state.steps_since_search = 0;
+}
+
+/// The rows to keep in the order in which to store them: as they are while that is nearly Morton's order.
+///
+/// It follows from the positions and the present order alone, and so from the state.
+fn storage_order(model: &Model, pellets: &Pellets, kept: &[u32], is_parallel: bool) -> Vec<u32> {
+    // Cells of the finest grid, so that pellets of one cell are stored in a row.
+    let finest = model
+        .largest_diameter()
+        .min(2.0 * model.smallest_diameter());
+    let cell_width = finest + model.skin();
+    let key = |&index: &u32| morton::key(&pellets.position[index as usize], cell_width);
+    let keys = chunk::map(
+        is_parallel,
+        chunk::ranges(kept.len()).collect(),
+        |range: Range<usize>| kept[range].iter().map(key).collect::<Vec<u64>>(),
+    )
+    .concat();
+    let out_of_order = keys.windows(2).filter(|keys| keys[0] > keys[1]).count();
+    if ORDER_KEPT * out_of_order <= kept.len() {
+        return kept.to_vec();
+    }
+    morton::order(&keys)
+        .into_iter()
+        .map(|place| kept[place as usize])
+        .collect()
+}
+
+fn searcher<'a>(model: &Model, positions: &'a [Row]) -> Search<'a> {
+    let (skin, periodic) = (model.skin(), model.periodic());
+    let is_grid_best = model.largest_diameter() <= GRID_SIZE_RATIO * model.smallest_diameter();
+    match (model.setup().search, is_grid_best) {
+        (NeighborSearch::Grid, _) | (NeighborSearch::Auto, true) => {
+            Search::Grid(Grid::new(positions, skin, periodic))
+        }
+        (NeighborSearch::HierarchicalGrid, _) | (NeighborSearch::Auto, false) => {
+            Search::HierarchicalGrid(HierarchicalGrid::new(positions, skin, periodic))
+        }
+        (NeighborSearch::Tree, _) => Search::Tree(Tree::new(positions, skin, periodic)),
+        (NeighborSearch::AllPairs, _) => Search::AllPairs {
+            rows: positions,
+            skin,
+            periodic,
+        },
+    }
+}
+
+fn list_partners(search: &Search, range: &Range<usize>) -> ChunkList {
+    let mut list = ChunkList {
+        offsets: vec![0],
+        ..ChunkList::default()
+    };
+    search.list(range, &mut list.offsets, &mut list.partners);
+    list
+}
