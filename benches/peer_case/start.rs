@@ -9,6 +9,8 @@ use std::path::Path;
 
 /// Steps in which a bed that was put down comes to rest.
 const SETTLING_STEPS: u64 = 20_000;
+/// The same where the bed is large and only its cost is asked for.
+const SHORT_SETTLING_STEPS: u64 = 3_000;
 /// Pellets that fall on the bed [-].
 const JET: [i32; 3] = [5, 5, 8];
 
@@ -41,7 +43,7 @@ fn kept(
     scene: Scene,
     work_out: impl FnOnce() -> Vec<Place>,
 ) -> Result<Vec<Place>, String> {
-    let told = format!("# {scene:?} {SETTLING_STEPS} {}", scene.describe());
+    let told = format!("# {scene:?} {} {}", settling_steps(scene), scene.describe());
     let pellets = match scene {
         Scene::Silo { pellets, .. } => format!("-{pellets}"),
         _ => String::new(),
@@ -69,11 +71,20 @@ fn settled(scene: Scene, pellets: usize) -> Vec<Place> {
         spin: Vec3::zeros(),
     }];
     let mut simulation = silo::simulation(setup, 0);
-    simulation.advance(SETTLING_STEPS).expect("the bed settles");
+    simulation
+        .advance(settling_steps(scene))
+        .expect("the bed settles");
     places::of(&simulation)
         .iter()
         .map(|place| Place::at_rest(place.position))
         .collect()
+}
+
+fn settling_steps(scene: Scene) -> u64 {
+    match scene {
+        Scene::Sizes => SHORT_SETTLING_STEPS,
+        _ => SETTLING_STEPS,
+    }
 }
 
 /// Pellets a little apart that fall on a bed with a top [m], at 1 m/s.

@@ -30,6 +30,8 @@ pub(crate) struct Finish {
     pub(crate) ours: Vec<Outcome>,
     pub(crate) fastest: Code,
     pub(crate) theirs: Vec<Outcome>,
+    /// Share of the pellets that move at the end of ours [-].
+    pub(crate) moving: f64,
 }
 
 /// How thorough a pass is.
@@ -90,10 +92,12 @@ impl Bench {
             "no other code is installed that runs `{scene}`; see above why"
         );
         self.prepare(scene)?;
+        let mut moving = 0.0;
         let mut outcomes = race::run(codes.len() + 1, self.pace.rounds(), |racer| {
             if racer == 0 {
                 let told = self.ours.run(scene, cores, floor, length)?;
                 progress("pelletflow", &told.outcome());
+                moving = told.moving;
                 return Ok(told.outcome());
             }
             self.theirs(codes[racer - 1], scene, cores, floor, length)
@@ -108,6 +112,7 @@ impl Bench {
             ours,
             fastest,
             theirs,
+            moving,
         })
     }
 

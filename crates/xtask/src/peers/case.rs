@@ -187,10 +187,10 @@ const fn discharging(name: &'static str, scene: &'static str, cores: usize, coun
             accuracy: Accuracy::Discharge { steps: counted },
         },
         target: Target::AtLeast(2.5),
-        // The flow needs a while to reach the middle of the bed.
+        // The bed begins to flow from the outlet on; the small one flows throughout before the end.
         length: Length {
-            warm: 300,
-            steps: 2000,
+            warm: 200,
+            steps: if is_small(scene) { 2000 } else { 1000 },
         },
         is_quick: is_small(scene),
     }

@@ -112,7 +112,9 @@ fn data(scene: &Description, rows: &[Row], top: f64) -> String {
         ));
     }
     add(format_args!("\nVelocities\n\n"));
-    for (index, [.., u, v, w]) in rows.iter().enumerate() {
+    let velocities = rows.iter().map(|[.., u, v, w]| [*u, *v, *w]);
+    let still = balls.iter().map(|_| [0.0; 3]);
+    for (index, [u, v, w]) in velocities.chain(still).enumerate() {
         add(format_args!("{} {u} {v} {w} 0 0 0\n", index + 1));
     }
     text
