@@ -4,13 +4,11 @@ use crate::places::{self, Place};
 use crate::scene::Scene;
 use crate::{bed, chute, free, silo, sizes};
 use pelletflow::core::Vec3;
-use pelletflow::sim::{Fill, FillAmount, Seats};
+use pelletflow::sim::{Fill, FillAmount, Seats, StepRequest};
 use std::path::Path;
 
 /// Steps in which a bed that was put down comes to rest.
 const SETTLING_STEPS: u64 = 20_000;
-/// The same where the bed is large and only its cost is asked for.
-const SHORT_SETTLING_STEPS: u64 = 3_000;
 /// Pellets that fall on the bed [-].
 const JET: [i32; 3] = [5, 5, 8];
 
@@ -43,7 +41,7 @@ fn kept(
     scene: Scene,
     work_out: impl FnOnce() -> Vec<Place>,
 ) -> Result<Vec<Place>, String> {
-    let told = format!("# {scene:?} {} {}", settling_steps(scene), scene.describe());
+    let told = format!("# {scene:?} {} {}", settling(scene).0, scene.describe());
     let pellets = match scene {
         Scene::Silo { pellets, .. } => format!("-{pellets}"),
         _ => String::new(),
@@ -59,7 +57,11 @@ fn kept(
 
 /// A bed put down pellet by pellet and come to rest.
 fn settled(scene: Scene, pellets: usize) -> Vec<Place> {
+    let (steps, longer) = settling(scene);
     let mut setup = scene.setup();
+    if let StepRequest::Fixed(seconds) = &mut setup.step {
+        *seconds *= longer;
+    }
     setup.fills = vec![Fill {
         name: "bed".into(),
         pellets: 0,
@@ -71,19 +73,19 @@ fn settled(scene: Scene, pellets: usize) -> Vec<Place> {
         spin: Vec3::zeros(),
     }];
     let mut simulation = silo::simulation(setup, 0);
-    simulation
-        .advance(settling_steps(scene))
-        .expect("the bed settles");
+    simulation.advance(steps).expect("the bed settles");
     places::of(&simulation)
         .iter()
         .map(|place| Place::at_rest(place.position))
         .collect()
 }
 
-fn settling_steps(scene: Scene) -> u64 {
+/// Number of steps in which a bed comes to rest, and their length over that of the scene [-].
+fn settling(scene: Scene) -> (u64, f64) {
     match scene {
-        Scene::Sizes => SHORT_SETTLING_STEPS,
-        _ => SETTLING_STEPS,
+        // Its step is short for the sake of the smallest; at rest three of them in one are stable.
+        Scene::Sizes => (SETTLING_STEPS / 2, 3.0),
+        _ => (SETTLING_STEPS, 1.0),
     }
 }
 

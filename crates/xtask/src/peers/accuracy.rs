@@ -72,7 +72,10 @@ pub(crate) fn of_energy(told: &Told) -> AnswerError {
     AnswerError {
         ours: told.residual.unwrap_or(0.0).abs(),
         theirs: None,
-        of: "residual of the energy ledger, over its throughput".to_owned(),
+        of: format!(
+            "residual of the energy ledger, over its throughput; {:.1} contacts per pellet",
+            told.coordination
+        ),
     }
 }
 

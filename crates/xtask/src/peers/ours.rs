@@ -35,6 +35,8 @@ pub(crate) struct Told {
     /// Share of the pellets that move [-].
     pub(crate) moving: f64,
     pub(crate) left: f64,
+    /// Contacts per pellet at the end [-].
+    pub(crate) coordination: f64,
     pub(crate) hash: String,
     /// Residual of the energy ledger over the energy that went through it [-]; none where no energy did.
     pub(crate) residual: Option<f64>,
