@@ -83,8 +83,8 @@ fn settled(scene: Scene, pellets: usize) -> Vec<Place> {
 /// Number of steps in which a bed comes to rest, and their length over that of the scene [-].
 fn settling(scene: Scene) -> (u64, f64) {
     match scene {
-        // Its step is short for the sake of the smallest; at rest three of them in one are stable.
-        Scene::Sizes => (SETTLING_STEPS / 2, 3.0),
+        // Its step is a tenth of the Rayleigh time of the smallest; a fifth is stable.
+        Scene::Sizes => (SETTLING_STEPS, 2.0),
         _ => (SETTLING_STEPS, 1.0),
     }
 }
