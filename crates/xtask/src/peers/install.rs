@@ -112,7 +112,11 @@ fn from_packages() -> Result<PathBuf> {
 /// The code with its version, if it starts.
 fn started(installed: Installed) -> Result<Installed> {
     // LIGGGHTS ends with a failure where it is asked for help only; what it says counts.
-    let output = installed.command(1).arg("-help").output();
+    let output = installed
+        .command(1)
+        .args(["-help", "-log", "none"])
+        .current_dir(target())
+        .output();
     let output = output.with_context(|| format!("cannot start {}", installed.path.display()))?;
     let version = version(&String::from_utf8_lossy(&output.stdout)).map(str::to_owned);
     let complaint = String::from_utf8_lossy(&output.stderr).into_owned();
