@@ -13,6 +13,8 @@ use pelletflow::sim::{
 pub(crate) const DIAMETER: f64 = 0.015;
 /// Radius of the outlet [m].
 pub(crate) const OUTLET_RADIUS: f64 = 0.06;
+/// Greatest depth of a bed above the cone [m].
+const HIGHEST_BED: f64 = 3.8;
 /// Time step, a tenth of the Rayleigh time [s].
 pub(crate) const TIME_STEP: f64 = 2.0e-5;
 
@@ -30,7 +32,7 @@ fn wall(name: &str, shape: Shape) -> Wall {
 /// The silo, filled with a number of pellets on a lattice, its radius in [m].
 pub(crate) fn silo(pellets: usize, radius: f64) -> Setup {
     let cone_height = cone_height(radius);
-    let top = cone_height + 4.0;
+    let top = cone_height + HIGHEST_BED + 0.2;
     let hopper = Profile::Closed {
         corners: vec![
             [OUTLET_RADIUS, 0.0],
@@ -81,12 +83,8 @@ pub(crate) fn silo(pellets: usize, radius: f64) -> Setup {
         fills: vec![Fill {
             name: "bed".into(),
             pellets: 0,
-            seats: Seats::Lattice {
-                region: Shape::Cylinder {
-                    radius: radius - 1.0e-3,
-                    half_length: 1.9,
-                }
-                .translated(Vec3::new(0.0, 0.0, cone_height + 1.95)),
+            seats: Seats::Deposit {
+                region: hollow(radius),
                 amount: FillAmount::Count(pellets),
             },
             velocity: Vec3::zeros(),
@@ -114,29 +112,25 @@ pub(crate) fn cone_height(radius: f64) -> f64 {
     (radius - OUTLET_RADIUS) * 3.0_f64.sqrt()
 }
 
-/// Centers of the pellets after settling for 20,000 steps, in order of their numbers [m].
-pub(crate) fn settled_positions(pellets: usize, radius: f64) -> Vec<Vec3> {
-    let mut simulation = simulation(silo(pellets, radius), 0);
-    simulation.advance(20_000).expect("the bed settles");
-    let mut all: Vec<_> = simulation.pellets().collect();
-    all.sort_by_key(|pellet| pellet.id);
-    all.iter().map(|pellet| pellet.position).collect()
+/// What is hollow of the silo up to a height at which the bed ends [m].
+pub(crate) fn hollow(radius: f64) -> Shape {
+    let cone_height = cone_height(radius);
+    let top = cone_height + HIGHEST_BED;
+    Shape::Revolution {
+        profile: Profile::Closed {
+            corners: vec![
+                [0.0, 0.0],
+                [OUTLET_RADIUS, 0.0],
+                [radius, cone_height],
+                [radius, top],
+                [0.0, top],
+            ],
+        },
+    }
 }
 
-/// The silo with pellets at rest at these places [m], on a number of threads.
-pub(crate) fn from_positions(
-    positions: &[Vec3],
-    radius: f64,
-    integrator: Integrator,
-    threads: usize,
-) -> Simulation {
-    let mut setup = silo(1, radius);
-    setup.integrator = integrator;
-    setup.fills[0].seats = Seats::Points(positions.to_vec());
-    simulation(setup, threads)
-}
-
-fn simulation(setup: Setup, threads: usize) -> Simulation {
-    let model = Model::new(setup).expect("the silo is sound");
-    Simulation::new(model, threads).expect("the bed fits")
+/// A simulation of a setup without mistakes, on a number of threads.
+pub(crate) fn simulation(setup: Setup, threads: usize) -> Simulation {
+    let model = Model::new(setup).expect("the scene is sound");
+    Simulation::new(model, threads).expect("the pellets fit")
 }

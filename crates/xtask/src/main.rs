@@ -8,6 +8,8 @@
 mod check;
 mod dependencies;
 mod documentation;
+mod page;
+mod peers;
 mod process;
 mod report;
 mod test;
@@ -34,6 +36,8 @@ enum Command {
         #[arg(value_parser = clap::builder::PossibleValuesParser::new(verify::TESTS))]
         tests: Vec<String>,
     },
+    /// Compares the speed with LAMMPS and LIGGGHTS, which it installs, and with itself; prints a table.
+    BenchPeers(peers::Options),
 }
 
 fn main() -> ExitCode {
@@ -42,6 +46,7 @@ fn main() -> ExitCode {
         Command::Test => test::run(&mut report),
         Command::Check => check::run(&mut report),
         Command::Verify { tests } => verify::run(&mut report, &tests),
+        Command::BenchPeers(options) => peers::run(&options),
     };
     report.print();
     match outcome {

@@ -6,6 +6,9 @@ use std::path::Path;
 use std::process::{Command, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
 
+/// Line breaks between the last lines of a text that are shown.
+const TAIL: usize = 7;
+
 /// A command that ended with another exit code than zero.
 #[derive(Debug, thiserror::Error)]
 #[error("`{command}` ended with code {code}")]
@@ -40,6 +43,24 @@ pub(crate) fn run_watched(command: &mut Command, mut look: impl FnMut(&str)) -> 
     judge(command, status)
 }
 
+/// Runs a command to its end without a word and gives its standard output; what it complained of is in the error.
+pub(crate) fn answer(command: &mut Command) -> Result<String> {
+    let output = command
+        .stdin(Stdio::null())
+        .output()
+        .with_context(|| format!("cannot start `{}`", line_of(command)))?;
+    judge(command, output.status)
+        .with_context(|| tail(&String::from_utf8_lossy(&output.stderr)).to_owned())?;
+    Ok(String::from_utf8_lossy(&output.stdout).into_owned())
+}
+
+/// The last lines of a text.
+pub(crate) fn tail(text: &str) -> &str {
+    let text = text.trim_end();
+    let start = text.rmatch_indices('\n').nth(TAIL).map_or(0, |(at, _)| at);
+    text[start..].trim_start()
+}
+
 /// Whether a command succeeds within a time; what it prints is dropped.
 pub(crate) fn succeeds_within(command: &mut Command, limit: Duration) -> bool {
     announce(command);
@@ -66,7 +87,8 @@ pub(crate) fn succeeds_within(command: &mut Command, limit: Duration) -> bool {
 }
 
 fn announce(command: &Command) {
-    println!("\n$ {}", line_of(command));
+    // What a command answers is on standard output; that it was started is news of the way.
+    eprintln!("\n$ {}", line_of(command));
 }
 
 fn judge(command: &Command, status: ExitStatus) -> Result<()> {

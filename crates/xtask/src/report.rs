@@ -44,8 +44,11 @@ impl Report {
         result.map(drop)
     }
 
-    /// Prints a row for each part that ran.
+    /// Prints a row for each part that ran, and nothing where there was none.
     pub(crate) fn print(&self) {
+        if self.rows.is_empty() {
+            return;
+        }
         println!("\n== summary");
         for row in &self.rows {
             println!("{:<24}{:>7.1} s  {}", row.part, row.seconds, row.outcome);

@@ -1,4 +1,4 @@
-//! A Python environment of the workspace's own, under `target/venv`.
+//! Python environments of the workspace's own, under `target`.
 
 use crate::process;
 use crate::workspace::{root, target};
@@ -14,11 +14,14 @@ pub(crate) struct Venv {
 }
 
 impl Venv {
-    /// Makes the environment where it is missing and installs the pinned packages of requirement files.
+    /// The environment of the tests, `target/venv`, with the pinned packages of requirement files.
     pub(crate) fn with(requirements: &[&str]) -> Result<Self> {
-        let venv = Self {
-            folder: target().join("venv"),
-        };
+        Self::at(target().join("venv"), requirements)
+    }
+
+    /// Makes an environment where it is missing and installs the pinned packages of requirement files.
+    pub(crate) fn at(folder: PathBuf, requirements: &[&str]) -> Result<Self> {
+        let venv = Self { folder };
         if !venv.program("python").exists() {
             let python = env::var_os("PYTHON").unwrap_or_else(|| OsString::from(SYSTEM_PYTHON));
             process::run(Command::new(python).args(["-m", "venv"]).arg(&venv.folder))?;
@@ -64,6 +67,11 @@ impl Venv {
         command
     }
 
+    /// Where the libraries of its packages are.
+    pub(crate) fn libraries(&self) -> PathBuf {
+        self.folder.join("lib")
+    }
+
     fn pip_install(&self) -> Command {
         let mut command = self.module("pip");
         command.args(["install", "--quiet", "--disable-pip-version-check"]);
@@ -78,7 +86,8 @@ impl Venv {
         env::join_paths(folders).unwrap_or(inherited)
     }
 
-    fn program(&self, name: &str) -> PathBuf {
+    /// A program of the environment.
+    pub(crate) fn program(&self, name: &str) -> PathBuf {
         self.folder
             .join(PROGRAMS)
             .join(name)

@@ -1,5 +1,6 @@
 //! `cargo xtask verify`: every claim held against what is known, gathered into `docs/verification.md`.
 
+use crate::page;
 use crate::process;
 use crate::report::Report;
 use crate::workspace::{cargo, root};
@@ -121,16 +122,7 @@ fn with_tables(page: &str, claims: &[Claim]) -> Result<String> {
     let mut page = page.to_owned();
     for (section, mut claims) in sections {
         claims.sort_by(|a, b| a.what.cmp(&b.what));
-        let (start, end) = (format!("<!-- held: {section} -->\n"), "<!-- end -->");
-        let from = page
-            .find(&start)
-            .with_context(|| format!("{PAGE} has no mark `{}`", start.trim()))?
-            + start.len();
-        let until = from
-            + page[from..]
-                .find(end)
-                .with_context(|| format!("{PAGE} has no mark `{end}` after `{}`", start.trim()))?;
-        page.replace_range(from..until, &table(&claims));
+        page = page::with_section(PAGE, &page, &format!("held: {section}"), &table(&claims))?;
     }
     Ok(page)
 }
