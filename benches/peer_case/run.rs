@@ -4,7 +4,7 @@ use crate::places;
 use crate::request::Request;
 use crate::scene::Scene;
 use crate::{free, silo, start};
-use pelletflow::core::{Bounds, Shape, Vec3};
+use pelletflow::core::{Bounds, InstructionSet, Shape, Vec3};
 use pelletflow::sim::{NeighborSearch, Outlet, Schedule, Setup, Simulation, Skips};
 use serde_json::{Value, json};
 use std::time::Instant;
@@ -102,7 +102,10 @@ fn take_reference_path(scene: Scene, setup: &mut Setup) {
     setup.skips = Skips {
         rotation: false,
         distant_walls: false,
+        free_flight: false,
+        rest: false,
     };
+    setup.instructions = Some(InstructionSet::Baseline);
     setup.search = match scene {
         Scene::Silo { pellets, .. } if pellets <= 10_000 => NeighborSearch::AllPairs,
         _ => NeighborSearch::Tree,

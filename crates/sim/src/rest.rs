@@ -21,7 +21,7 @@ use std::ops::Range;
 /// Steps between two looks at whether pellets have moved [-].
 const STEPS_BETWEEN_LOOKS: u64 = 16;
 /// Way that a pellet at rest stays within, over the overlap that its own weight makes [-].
-const SHARE_OF_OVERLAP: f64 = 0.1;
+const SHARE_OF_OVERLAP: f64 = 1.0;
 
 /// When a chunk fell asleep, and what its contacts did then.
 #[derive(Debug, Clone, PartialEq)]

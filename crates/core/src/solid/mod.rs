@@ -19,11 +19,12 @@ mod turned;
 
 pub use touches::{MOST_TOUCHES, Touches};
 
-use crate::{Profile, Shape, Vec3};
+use crate::{Shape, Vec3};
 use blended::Blended;
 use carved::Carved;
 use similarity::Similarity;
 use together::Together;
+use turned::Turned;
 
 /// A shape made ready to be touched.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,7 +38,7 @@ enum Part {
     /// It bulges everywhere, or is smooth: the nearest point is the only one.
     Single(Shape),
     /// A profile about the z axis.
-    Turned(Profile),
+    Turned(Turned),
     /// A part moved, turned, mirrored or scaled.
     Placed { at: Similarity, of: Box<Part> },
     /// A part and everything within a length of it [m].
@@ -74,7 +75,7 @@ impl Solid {
 impl Part {
     fn new(shape: &Shape) -> Self {
         match shape {
-            Shape::Revolution { profile } => Self::Turned(profile.clone()),
+            Shape::Revolution { profile } => Self::Turned(Turned::new(profile)),
             Shape::Union { of } => Self::Together(Together::new(of)),
             Shape::Blend { of, .. } => Self::Blended(Blended::new(shape, of)),
             Shape::Intersection { .. } | Shape::Difference { .. } | Shape::Shell { .. } => {
@@ -122,7 +123,7 @@ impl Part {
     fn offer(&self, center: Vec3, touches: &mut Touches) {
         match self {
             Self::Single(shape) => touches.offer(shape.surface(center)),
-            Self::Turned(profile) => turned::offer(profile, center, touches),
+            Self::Turned(turned) => turned.offer(center, touches),
             Self::Placed { at, of } => {
                 let mut own = Touches::none(touches.reach() / at.scale());
                 of.offer(at.inverse_point(center), &mut own);

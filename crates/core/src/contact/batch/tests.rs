@@ -1,6 +1,7 @@
 //! A batch is held against its contacts one by one.
 
 use super::*;
+use crate::InstructionSet;
 use crate::contact::{ContactLaws, NormalLaw, Sampling, TangentialLaw, TurningLaw};
 use crate::{Material, PairProperties};
 
