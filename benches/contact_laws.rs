@@ -50,8 +50,8 @@ fn laws() -> Vec<(&'static str, ContactLaws)> {
 }
 
 /// A batch of contacts in the middle of their lives, no two alike.
-fn batch() -> Batch {
-    let mut batch = Batch::default();
+fn batch(laws: ContactLaws) -> Batch {
+    let mut batch = Batch::new(laws);
     for lane in 0..LANES {
         let phase = lane as f64;
         let velocity = [phase.sin(), (1.3 * phase).cos(), 0.2].map(|speed| 2.0 * speed);
@@ -67,7 +67,7 @@ fn batch() -> Batch {
             ],
         };
         batch.set_spheres(lane, &spheres, true);
-        batch.set_history(lane, [0.0; 3], 2.0);
+        batch.set_history(lane, [0.0; 3], 2.0, &[]);
         batch.set_pair(lane, &pair());
     }
     batch.meet(LANES, InstructionSet::widest());
@@ -77,12 +77,12 @@ fn batch() -> Batch {
 fn contact_laws(criterion: &mut Criterion) {
     let sampling = Sampling::located(2.0e-5);
     let pair = pair();
-    let mut batch = batch();
     let mut group = criterion.benchmark_group("contact");
     group.throughput(Throughput::Elements(LANES as u64));
     for (name, laws) in laws() {
+        let mut batch = batch(laws);
         let mut histories: Vec<ContactHistory> =
-            (0..LANES).map(|lane| batch.history(lane)).collect();
+            (0..LANES).map(|lane| batch.history(lane, laws)).collect();
         group.bench_function(format!("{name}/single"), |bencher| {
             bencher.iter(|| {
                 for (lane, history) in histories.iter_mut().enumerate() {
@@ -93,7 +93,7 @@ fn contact_laws(criterion: &mut Criterion) {
         });
         let available = InstructionSet::ALL
             .into_iter()
-            .filter(|set| laws.has_batch() && set.is_available());
+            .filter(|set| set.is_available());
         for set in available {
             group.bench_function(format!("{name}/batch/{set:?}"), |bencher| {
                 bencher.iter(|| laws.forces(black_box(&mut batch), LANES, &sampling, set));

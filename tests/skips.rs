@@ -89,7 +89,7 @@ fn bed(skips: Skips) -> Setup {
             .translated(Vec3::new(0.0, 0.0, 0.32)),
             amount: FillAmount::Count(600),
         },
-        velocity: Vec3::zeros(),
+        velocity: Vec3::new(0.3, 0.2, 0.0),
         spin: Vec3::zeros(),
     }];
     setup.skips = skips;
@@ -115,10 +115,10 @@ fn a_bed_that_sleeps_lies_as_one_that_is_worked_out() {
         simulation
     });
     assert!(slept(&asleep) && !slept(&awake));
-    // Held pellets creep no more; those that are worked out do, by less than a thousandth of a radius.
+    // Held pellets creep no more; the others may by one overlap of 5 µm in 39 ms, for half a second.
     for id in 0..600 {
         let apart = (pellet(&asleep, id).position - pellet(&awake, id).position).norm();
-        assert!(apart < 1.0e-3 * RADIUS, "pellet {id}: {apart}");
+        assert!(apart < 13.0 * 5.0e-6, "pellet {id}: {apart}");
     }
     let (with, without) = (asleep.energy_ledger(), awake.energy_ledger());
     assert!((with.potential / without.potential - 1.0).abs() < 1.0e-6);

@@ -98,21 +98,6 @@ pub struct MaterialPair {
 }
 
 impl MaterialPair {
-    /// No values, for those that set what they need.
-    pub(crate) const UNSET: Self = Self {
-        effective_youngs_modulus: f64::NAN,
-        effective_shear_modulus: f64::NAN,
-        damping_ratio: f64::NAN,
-        tangential_damping_share: f64::NAN,
-        friction: f64::NAN,
-        rolling_friction: f64::NAN,
-        rolling_damping: f64::NAN,
-        series_shear_modulus: f64::NAN,
-        linear_stiffness: f64::NAN,
-        yield_pressure: f64::NAN,
-        surface_energy: f64::NAN,
-    };
-
     /// The effective values of `a` touching `b`.
     pub fn new(a: &Material, b: &Material, properties: &PairProperties) -> Self {
         let compliance = |m: &Material| (1.0 - m.poisson_ratio.powi(2)) / m.youngs_modulus;

@@ -1,6 +1,7 @@
 //! What contacts remember between steps.
 
 use crate::state::Row;
+use pelletflow_core::contact::Batch;
 use pelletflow_core::{ContactHistory, ContactLaws, Vec3};
 use std::ops::Range;
 
@@ -38,12 +39,12 @@ impl ContactMemory {
         }
     }
 
-    /// One step later.
-    #[inline]
-    pub(crate) fn stepped(&self, history: &ContactHistory) -> Self {
+    /// One step later, by stretch [√J] and normal force [N].
+    #[inline(always)]
+    fn stepped(&self, [x, y, z, normal_force]: Row) -> Self {
         Self {
-            tangential_stretch: history.tangential_stretch.into(),
-            normal_force: rounded(history.normal_force),
+            tangential_stretch: [x, y, z],
+            normal_force: rounded(normal_force),
             steps: self.steps.saturating_add(1),
         }
     }
@@ -78,28 +79,34 @@ impl ContactMemories {
     }
 
     /// All that a contact remembers.
-    pub(crate) fn history(&self, slot: usize, laws: ContactLaws) -> ContactHistory {
+    fn history(&self, slot: usize, laws: ContactLaws) -> ContactHistory {
         let mut history = self.rows[slot].history();
         laws.unpack(&self.extra[self.extra_of(slot)], &mut history);
         history
     }
 
-    /// Remembers a contact one step later, or forgets one that is over; tells which.
-    pub(crate) fn step(
-        &mut self,
-        slot: usize,
-        history: &ContactHistory,
-        laws: ContactLaws,
-    ) -> bool {
-        let is_over = history.normal_force == 0.0;
-        if is_over {
+    /// Puts what a contact remembers into a lane of a batch.
+    #[inline(always)]
+    pub(crate) fn fill(&self, slot: usize, batch: &mut Batch, lane: usize) {
+        let row = &self.rows[slot];
+        let force = f64::from(row.normal_force);
+        let extra = &self.extra[self.extra_of(slot)];
+        batch.set_history(lane, row.tangential_stretch, force, extra);
+    }
+
+    /// Remembers a contact one step later, or forgets one that is over; gives the steps that such a one lasted.
+    #[inline(always)]
+    pub(crate) fn step(&mut self, slot: usize, batch: &Batch, lane: usize) -> Option<u32> {
+        let next = batch.next_memory(lane);
+        if next[3] == 0.0 {
+            let steps = self.rows[slot].steps;
             self.forget(slot);
-        } else {
-            self.rows[slot] = self.rows[slot].stepped(history);
-            let extra = self.extra_of(slot);
-            laws.pack(history, &mut self.extra[extra]);
+            return Some(steps);
         }
-        !is_over
+        self.rows[slot] = self.rows[slot].stepped(next);
+        let extra = self.extra_of(slot);
+        batch.next_extra(lane, &mut self.extra[extra]);
+        None
     }
 
     /// Whether a contact is open.
@@ -155,7 +162,11 @@ impl ContactMemories {
     }
 
     /// Where the extra numbers of a contact are.
+    #[inline(always)]
     fn extra_of(&self, slot: usize) -> Range<usize> {
+        if self.extra.is_empty() {
+            return 0..0;
+        }
         let numbers = self.extra.len() / self.rows.len();
         slot * numbers..(slot + 1) * numbers
     }

@@ -8,9 +8,9 @@ use crate::share::Share;
 use crate::state::{ChunkContacts, State};
 use crate::tally::{DeepestContact, Partner, greater};
 use crate::workspace::{ChunkList, ChunkScratch, Load, Touch, Workspace};
+use pelletflow_core::Vec3;
 use pelletflow_core::contact::batch::{Batch, LANES, Row, SpherePair};
 use pelletflow_core::instructions::Task;
-use pelletflow_core::{ContactHistory, Vec3};
 use std::ops::Range;
 
 /// Adds the forces of all pairs that the chunk lists.
@@ -81,7 +81,7 @@ impl<I: Fn([f64; 3]) -> [f64; 3] + Copy> Task for AllPairs<'_, '_, I> {
             find_touches(share, &mut touches, image, |_| 0.0);
         }
         end_contacts(share, &last, &touches);
-        let mut batch = Batch::default();
+        let mut batch = Batch::new(share.model.laws());
         for lane in 0..LANES {
             batch.set_pair(lane, share.model.pair_of_kinds(0, 0));
         }
@@ -179,16 +179,15 @@ fn add_batch(
     let (sampling, instructions) = (model.sampling(), model.instructions());
     batch.meet(touches.len(), instructions);
     let laws = model.laws();
-    let has_batch = laws.forces(batch, touches.len(), sampling, instructions);
-    if has_batch {
-        let memories = share.contacts.pellet.rows.as_mut_slice();
-        for (lane, touch) in touches.iter().enumerate() {
-            let memory = &mut memories[touch.slot as usize];
-            *memory = memory.stepped(&batch.next_history(lane));
-        }
-    } else {
-        for (lane, touch) in touches.iter().enumerate() {
-            work_out_single(share, batch, lane, *touch);
+    laws.forces(batch, touches.len(), sampling, instructions);
+    for (lane, touch) in touches.iter().enumerate() {
+        let memories = &mut share.contacts.pellet;
+        let over = memories.step(touch.slot as usize, batch, lane);
+        if let Some(steps) = over.filter(|&steps| steps > 0) {
+            let (a, b) = ends(share, *touch);
+            if is_counted(&share.range, a, b) {
+                share.scratch.tally.finish(steps);
+            }
         }
     }
     add_loads(share, batch, touches);
@@ -198,9 +197,9 @@ fn add_batch(
     let limit = model.setup().limits.overlap_ratio;
     let is_noteworthy = batch.exceeds_force(touches.len(), tally.noteworthy_force())
         || batch.exceeds_overlap(touches.len(), tally.noteworthy_overlap_ratio(limit));
-    if has_batch && is_noteworthy {
+    if is_noteworthy {
         for (lane, touch) in touches.iter().enumerate() {
-            look_closely(share, batch, lane, *touch, &batch.history(lane));
+            look_closely(share, batch, lane, *touch);
         }
     }
 }
@@ -210,7 +209,7 @@ fn add_batch(
 fn fill(share: &Share, batch: &mut Batch, touches: &[Touch], image: impl Fn([f64; 3]) -> [f64; 3]) {
     let (model, pellets) = (share.model, share.pellets);
     let partners = share.list.partners.as_slice();
-    let memories = share.contacts.pellet.rows.as_slice();
+    let memories = &share.contacts.pellet;
     let range = share.range.clone();
     for (lane, touch) in touches.iter().enumerate() {
         let a = range.start + touch.local as usize;
@@ -230,35 +229,11 @@ fn fill(share: &Share, batch: &mut Batch, touches: &[Touch], image: impl Fn([f64
             spins: [pellets.spin[a], pellets.spin[b]],
         };
         batch.set_spheres(lane, &pair, is_counted(&range, a, b));
-        let memory = &memories[touch.slot as usize];
-        batch.set_history(
-            lane,
-            memory.tangential_stretch,
-            f64::from(memory.normal_force),
-        );
+        memories.fill(touch.slot as usize, batch, lane);
         if model.has_many_kinds() {
             batch.set_pair(lane, model.pair_of_kinds(pellets.kind[a], pellets.kind[b]));
         }
     }
-}
-
-/// Works out one contact of a batch by laws that have no batch.
-fn work_out_single(share: &mut Share, batch: &mut Batch, lane: usize, touch: Touch) {
-    let (model, laws) = (share.model, share.model.laws());
-    let (a, b) = ends(share, touch);
-    let slot = touch.slot as usize;
-    let pair = model.pair_of_kinds(share.pellets.kind[a], share.pellets.kind[b]);
-    let contact = batch.contact(lane);
-    let last = share.contacts.pellet.history(slot, laws);
-    let mut history = last;
-    let force = laws.force(&contact, pair, &mut history, model.sampling());
-    batch.set_force(lane, &contact, &force, &history);
-    let steps = share.contacts.pellet.rows[slot].steps;
-    let is_open = share.contacts.pellet.step(slot, &history, laws);
-    if !is_open && is_counted(&share.range, a, b) {
-        share.scratch.tally.finish(steps);
-    }
-    look_closely(share, batch, lane, touch, &last);
 }
 
 /// Adds the forces and torques of a batch to the chunk's pellets.
@@ -280,16 +255,10 @@ fn add_loads(share: &mut Share, batch: &Batch, touches: &[Touch]) {
     }
 }
 
-/// Looks at a contact of a batch that may hold a record, and that remembered `last`.
+/// Looks at a contact of a batch that may hold a record.
 #[cold]
 #[inline(never)]
-fn look_closely(
-    share: &mut Share,
-    batch: &Batch,
-    lane: usize,
-    touch: Touch,
-    last: &ContactHistory,
-) {
+fn look_closely(share: &mut Share, batch: &Batch, lane: usize, touch: Touch) {
     let (model, pellets) = (share.model, share.pellets);
     let (a, b) = ends(share, touch);
     let pair = model.pair_of_kinds(pellets.kind[a], pellets.kind[b]);
@@ -299,7 +268,8 @@ fn look_closely(
         pellet: a,
         partner: Partner::Pellet(b),
     };
-    let about = (&batch.contact(lane), pair, last);
+    let last = batch.history(lane, model.laws());
+    let about = (&batch.contact(lane), pair, &last);
     let tally = &mut share.scratch.tally;
     tally.look_at(model, depth, batch.normal_force(lane), about);
 }

@@ -1,7 +1,7 @@
 //! Chunks at rest sleep: they are not worked out until something disturbs them.
 //!
 //! A pellet is at rest while, for as long as it takes to fall by half its own diameter, it stays within a small distance
-//! of one place: a tenth of the overlap that its own weight makes. So a pellet that sleeps although it should move would
+//! of one place: the overlap that its own weight makes. So a pellet that sleeps although it should move would
 //! do so at less than two such distances over the square of that time, and creep by less than one in that time.
 //! A chunk falls asleep when all its pellets are at rest and nothing that touches it has moved for as long.
 //! It wakes when a pellet of another chunk comes to touch it, lets go of it, or moves by that distance while it touches.
@@ -20,8 +20,6 @@ use std::ops::Range;
 
 /// Steps between two looks at whether pellets have moved [-].
 const STEPS_BETWEEN_LOOKS: u64 = 16;
-/// Way that a pellet at rest stays within, over the overlap that its own weight makes [-].
-const SHARE_OF_OVERLAP: f64 = 1.0;
 
 /// When a chunk fell asleep, and what its contacts did then.
 #[derive(Debug, Clone, PartialEq)]
@@ -65,7 +63,7 @@ impl Rest {
         });
         let overlap = overlaps.fold(f64::INFINITY, f64::min);
         (setup.skips.rest && gravity > 0.0).then(|| Self {
-            distance: SHARE_OF_OVERLAP * overlap,
+            distance: overlap,
             steps: ((largest / gravity).sqrt() / time_step).ceil() as u64,
         })
     }
@@ -102,6 +100,12 @@ pub(crate) fn wake(model: &Model, state: &mut State, workspace: &mut Workspace) 
     }
     for index in woken {
         state.sleeping[index] = None;
+        let range = index * size..((index + 1) * size).min(count);
+        let anchors = state.pellets.anchor[range.clone()].iter_mut();
+        for (anchor, position) in anchors.zip(&state.pellets.position[range]) {
+            // It may take as long as at first to get going.
+            *anchor = [position[0], position[1], position[2], state.step as f64];
+        }
         adopt(model, state, workspace, index, &is_asleep);
     }
 }

@@ -76,7 +76,8 @@ fn stages(
     health::check_overlap(model, state, &workspace.tally)?;
     health::check_finite(model, state, workspace)?;
 
-    // Meters watch, bodies move and the books are kept.
+    // Bodies move, meters watch and the books are kept.
+    state.pellets.exchange_rows(&mut workspace.next);
     profile.sample(state.step, Stage::Meters, || {
         meter::watch(
             model,
@@ -85,7 +86,6 @@ fn stages(
             &workspace.tally.wall_touches,
         );
     });
-    state.pellets.exchange_rows(&mut workspace.next);
     enter(model, state, workspace);
     rest::settle(model, state, workspace);
     Ok(1)

@@ -9,7 +9,7 @@ use crate::workspace::NearWall;
 use pelletflow_core::contact::batch::{Batch, LANES};
 use pelletflow_core::contact::curvature;
 use pelletflow_core::solid::MOST_TOUCHES;
-use pelletflow_core::{Contact, ContactHistory, Surface, Vec3};
+use pelletflow_core::{Contact, Surface, Vec3};
 use std::ops::Range;
 
 /// Least curvature of a contact over the pellet's own [-]: a pellet in a hollow of nearly its own radius would
@@ -49,7 +49,7 @@ pub(crate) fn add_forces(share: &mut Share) {
         return;
     }
     let mut waiting = Waiting {
-        batch: Batch::default(),
+        batch: Batch::new(share.model.laws()),
         found: [Found::default(); LANES],
         count: 0,
     };
@@ -107,7 +107,7 @@ fn touch_wall(
                 continue;
             };
             let slot = places.start + place;
-            is_free[place] = !touch(share, waiting, local, wall, slot, &surface);
+            is_free[place] = !wait(share, waiting, local, wall, slot, &surface);
         }
     }
     for (slot, is_free) in places.zip(is_free) {
@@ -152,8 +152,8 @@ pub(crate) fn effective_radius(radius: f64, surface: &Surface) -> f64 {
     curvature::effective_radius(relative)
 }
 
-/// Has one contact with a wall wait for its batch; tells whether the two hold on to each other.
-fn touch(
+/// Has a contact with a wall wait for its batch; tells whether there is one.
+fn wait(
     share: &mut Share,
     waiting: &mut Waiting,
     local: usize,
@@ -195,15 +195,10 @@ fn touch(
         inverse_mass,
     };
     let pair = model.pair_with_wall(share.pellets.kind[a], wall);
-    let memory = &share.contacts.wall.rows[slot];
     let lane = waiting.count;
     waiting.batch.set_contact(lane, &contact, radius, arm);
     waiting.batch.set_pair(lane, pair);
-    waiting.batch.set_history(
-        lane,
-        memory.tangential_stretch,
-        f64::from(memory.normal_force),
-    );
+    share.contacts.wall.fill(slot, &mut waiting.batch, lane);
     waiting.found[lane] = Found {
         local,
         wall,
@@ -213,9 +208,6 @@ fn touch(
         wall_spin,
     };
     waiting.count += 1;
-    if !model.laws().has_batch() {
-        return work_out_single(share, waiting);
-    }
     share.contacts.wall_normals[slot] = normal;
     if waiting.count == LANES {
         work_out(share, waiting);
@@ -234,15 +226,19 @@ fn work_out(share: &mut Share, waiting: &mut Waiting) {
     } = waiting;
     laws.forces(batch, *count, sampling, model.instructions());
     for (lane, found) in found[..*count].iter().enumerate() {
-        let memory = &mut share.contacts.wall.rows[found.slot];
-        let is_first = memory.steps == 0;
-        *memory = memory.stepped(&batch.next_history(lane));
+        let memories = &mut share.contacts.wall;
+        let was_open = memories.is_open(found.slot);
+        let over = memories.step(found.slot, batch, lane);
+        if let Some(steps) = over.filter(|_| was_open) {
+            share.scratch.tally.finish(steps);
+        }
+        let is_first = over.is_none() && !was_open;
         add_load(
             &mut share.scratch.loads[found.local],
             &batch.force(lane),
             &batch.torques(lane)[0],
         );
-        enter(share, batch, lane, found, is_first, &batch.history(lane));
+        enter(share, batch, lane, found, is_first);
     }
     let tally = &mut share.scratch.tally;
     tally.totals.add(&batch.totals(*count));
@@ -251,56 +247,8 @@ fn work_out(share: &mut Share, waiting: &mut Waiting) {
     *count = 0;
 }
 
-/// Works out the only contact that waits, by laws that have no batch; tells whether the two hold on to each other.
-fn work_out_single(share: &mut Share, waiting: &mut Waiting) -> bool {
-    let model = share.model;
-    let laws = model.laws();
-    let Waiting {
-        batch,
-        found,
-        count,
-    } = waiting;
-    let found = found[0];
-    let pair = model.pair_with_wall(
-        share.pellets.kind[share.range.start + found.local],
-        found.wall,
-    );
-    let contact = batch.contact(0);
-    let memories = &mut share.contacts.wall;
-    let last = memories.history(found.slot, laws);
-    let mut history = last;
-    let force = laws.force(&contact, pair, &mut history, model.sampling());
-    batch.set_force(0, &contact, &force, &history);
-    let is_over = history.normal_force == 0.0;
-    let is_first = !is_over && !memories.is_open(found.slot);
-    add_load(
-        &mut share.scratch.loads[found.local],
-        &batch.force(0),
-        &batch.torques(0)[0],
-    );
-    enter(share, batch, 0, &found, is_first, &last);
-    let tally = &mut share.scratch.tally;
-    tally.totals.add(&batch.totals(1));
-    tally.open += 1;
-    tally.open_with_walls += 1;
-    *count = 0;
-    if !is_over {
-        let memories = &mut share.contacts.wall;
-        memories.step(found.slot, &history, laws);
-        share.contacts.wall_normals[found.slot] = contact.normal;
-    }
-    !is_over
-}
-
-/// Enters what one contact, which remembered `last`, does to its wall, and what meters see of it.
-fn enter(
-    share: &mut Share,
-    batch: &Batch,
-    lane: usize,
-    found: &Found,
-    is_first: bool,
-    last: &ContactHistory,
-) {
+/// Enters what one contact does to its wall, and what meters see of it.
+fn enter(share: &mut Share, batch: &Batch, lane: usize, found: &Found, is_first: bool) {
     let model = share.model;
     let a = share.range.start + found.local;
     let pair = model.pair_with_wall(share.pellets.kind[a], found.wall);
@@ -321,7 +269,8 @@ fn enter(
     if normal_force > tally.noteworthy_force()
         || depth.ratio > tally.noteworthy_overlap_ratio(limit)
     {
-        let about = (&batch.contact(lane), pair, last);
+        let last = batch.history(lane, model.laws());
+        let about = (&batch.contact(lane), pair, &last);
         tally.look_at(model, depth, normal_force, about);
     }
     if model.is_watched(found.wall) {

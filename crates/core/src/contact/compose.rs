@@ -1,7 +1,8 @@
 //! The parts of a law put together: one contact, or a batch of them by the same functions.
 
-use super::batch::{self, Batch};
+use super::batch::{self, Batch, Lanes};
 use super::laws::TurningLaw;
+use super::memory::Extra;
 use super::normal::{Normal, NormalForce};
 use super::peak::{self, Quantity};
 use super::sampling::{Sample, Sampling};
@@ -19,6 +20,8 @@ pub(super) trait Turnings {
     fn roll(&self, resistance: &Resistance, spin: Vec3, stretch: &mut Vec3) -> SpringForce;
     /// Torque against twisting.
     fn twist(&self, resistance: &Resistance, spin: Vec3, stretch: &mut Vec3) -> SpringForce;
+    /// Whether springs resist rolling, and twisting.
+    fn have_springs(&self) -> [bool; 2];
 }
 
 /// Laws of rolling and twisting that are known when this is compiled.
@@ -33,6 +36,11 @@ impl<R: Turning, W: Turning> Turnings for Fixed<R, W> {
     #[inline(always)]
     fn twist(&self, resistance: &Resistance, spin: Vec3, stretch: &mut Vec3) -> SpringForce {
         W::torque(resistance, spin, stretch)
+    }
+
+    #[inline(always)]
+    fn have_springs(&self) -> [bool; 2] {
+        [R::HAS_SPRING, W::HAS_SPRING]
     }
 }
 
@@ -62,6 +70,11 @@ impl Turnings for Chosen {
     #[inline(always)]
     fn twist(&self, resistance: &Resistance, spin: Vec3, stretch: &mut Vec3) -> SpringForce {
         self.twisting.torque(resistance, spin, stretch)
+    }
+
+    #[inline(always)]
+    fn have_springs(&self) -> [bool; 2] {
+        [self.rolling, self.twisting].map(|law| law == TurningLaw::SpringDashpot)
     }
 }
 
@@ -99,10 +112,11 @@ struct Forces<'a, N, T, W> {
     batch: &'a mut Batch,
     count: usize,
     sampling: &'a Sampling,
-    laws: PhantomData<(N, T, W)>,
+    turnings: W,
+    laws: PhantomData<(N, T)>,
 }
 
-impl<N: Normal, T: Tangential, W: Turnings + Default> Task for Forces<'_, N, T, W> {
+impl<N: Normal, T: Tangential, W: Turnings> Task for Forces<'_, N, T, W> {
     type Output = ();
 
     /// All lanes as if in the smooth middle of their contacts, then those few again that begin or end.
@@ -112,48 +126,82 @@ impl<N: Normal, T: Tangential, W: Turnings + Default> Task for Forces<'_, N, T, 
             batch,
             count,
             sampling,
+            turnings,
             ..
         } = self;
-        let turnings = W::default();
+        let [rolling, twisting] = turnings.have_springs();
+        let remembered = Extra {
+            depth: N::REMEMBERS_DEPTH,
+            rolling,
+            twisting,
+            sliders: T::HAS_SLIDERS,
+        };
+        let extra = std::mem::take(&mut batch.extra);
+        let mut next_extra = std::mem::take(&mut batch.next_extra);
         for lane in 0..batch::whole_blocks(count) {
             let contact = batch.contact(lane);
             let pair = batch.pair(lane);
-            let mut history = batch.history(lane);
+            let mut history = batch.basic_history(lane);
+            read(remembered, &extra, lane, &mut history);
             let touch = touch::<N>(&contact, &pair, &history, sampling);
             let force =
                 composed::<T, W>(&contact, &pair, &turnings, &touch, &mut history, sampling);
             batch.set_force(lane, &contact, &force, &history);
             batch.set_edge(lane, touch.sample.is_edge);
+            write(remembered, &mut next_extra, lane, &mut history);
         }
         if sampling.is_located() && batch.has_edge(count) {
             for lane in 0..count {
                 if batch.is_edge(lane) {
                     let contact = batch.contact(lane);
                     let pair = batch.pair(lane);
-                    let mut history = batch.history(lane);
+                    let mut history = batch.basic_history(lane);
+                    read(remembered, &extra, lane, &mut history);
                     let force =
                         force::<N, T, W>(&contact, &pair, &turnings, &mut history, sampling);
                     batch.set_force(lane, &contact, &force, &history);
+                    write(remembered, &mut next_extra, lane, &mut history);
                 }
             }
         }
+        batch.extra = extra;
+        batch.next_extra = next_extra;
     }
 }
 
+#[inline(always)]
+fn read(remembered: Extra, extra: &[Lanes], lane: usize, history: &mut ContactHistory) {
+    let mut place = 0;
+    remembered.each(history, |number| {
+        *number = extra[place][lane];
+        place += 1;
+    });
+}
+
+#[inline(always)]
+fn write(remembered: Extra, extra: &mut [Lanes], lane: usize, history: &mut ContactHistory) {
+    let mut place = 0;
+    remembered.each(history, |number| {
+        extra[place][lane] = *number;
+        place += 1;
+    });
+}
+
 /// Forces of the first `count` contacts of a batch.
-pub(super) fn forces<N: Normal, T: Tangential, W: Turnings + Default>(
+pub(super) fn forces<N: Normal, T: Tangential, W: Turnings>(
     batch: &mut Batch,
     count: usize,
+    turnings: W,
     sampling: &Sampling,
     instructions: InstructionSet,
-) -> bool {
+) {
     instructions.run(Forces::<N, T, W> {
         batch,
         count: count.min(batch::LANES),
         sampling,
+        turnings,
         laws: PhantomData,
     });
-    true
 }
 
 /// Greatest force or overlap within a step of a sample; that of the sample where the top is farther away.

@@ -5,7 +5,7 @@ use super::compose::{self, Chosen, Fixed};
 use super::normal::{Hertz, Jkr, Linear, Plastic, pull_off_gap};
 use super::peak::Quantity;
 use super::tangential::{Coulomb, Mindlin, NoFriction, PartialSlip};
-use super::turning::{ConstantTorque, FreeTurning};
+use super::turning::{ConstantTorque, FreeTurning, SpringDashpot};
 use super::{Contact, ContactForce, ContactHistory, Sampling};
 use crate::MaterialPair;
 use crate::instructions::InstructionSet;
@@ -90,34 +90,91 @@ macro_rules! with_normal {
     };
 }
 
-/// Runs a function of batches with the types that stand for the parts, and tells whether there is one.
+/// Works out a batch by the types that stand for the parts.
 ///
-/// The choice is made outside the function, so that a loop inside it holds no branch.
-macro_rules! with_batched_parts {
-    ($laws:expr, $arguments:tt) => {
+/// The choice is made outside the function, so that a loop inside it holds no branch. Compositions whose functions branch
+/// by themselves have nothing of vector instructions and are compiled once.
+macro_rules! forces_of {
+    ($laws:expr, $batch:expr, $count:expr, $sampling:expr, $instructions:expr) => {
         match $laws.normal {
-            NormalLaw::Hertz => with_batched_parts!($laws, $arguments, Hertz),
-            NormalLaw::Linear => with_batched_parts!($laws, $arguments, Linear),
-            NormalLaw::Plastic | NormalLaw::Jkr => false,
+            NormalLaw::Hertz => forces_of!($laws, $batch, $count, $sampling, $instructions, Hertz),
+            NormalLaw::Linear => {
+                forces_of!($laws, $batch, $count, $sampling, $instructions, Linear)
+            }
+            NormalLaw::Plastic | NormalLaw::Jkr => $laws.forces_of_any($batch, $count, $sampling),
         }
     };
-    ($laws:expr, $arguments:tt, $normal:ty) => {
+    ($laws:expr, $batch:expr, $count:expr, $sampling:expr, $instructions:expr, $normal:ty) => {
         match $laws.tangential {
-            TangentialLaw::None => with_batched_parts!($laws, $arguments, $normal, NoFriction),
-            TangentialLaw::Coulomb => with_batched_parts!($laws, $arguments, $normal, Coulomb),
-            TangentialLaw::Mindlin => with_batched_parts!($laws, $arguments, $normal, Mindlin),
-            TangentialLaw::PartialSlip => false,
+            TangentialLaw::None => {
+                forces_of!(
+                    $laws,
+                    $batch,
+                    $count,
+                    $sampling,
+                    $instructions,
+                    $normal,
+                    NoFriction
+                )
+            }
+            TangentialLaw::Coulomb => {
+                forces_of!(
+                    $laws,
+                    $batch,
+                    $count,
+                    $sampling,
+                    $instructions,
+                    $normal,
+                    Coulomb
+                )
+            }
+            TangentialLaw::Mindlin => {
+                forces_of!(
+                    $laws,
+                    $batch,
+                    $count,
+                    $sampling,
+                    $instructions,
+                    $normal,
+                    Mindlin
+                )
+            }
+            TangentialLaw::PartialSlip => $laws.forces_of_any($batch, $count, $sampling),
         }
     };
-    ($laws:expr, ( $($argument:expr),* ), $normal:ty, $tangential:ty) => {
+    ($laws:expr, $batch:expr, $count:expr, $sampling:expr, $instructions:expr, $normal:ty, $tangential:ty) => {
         match ($laws.rolling, $laws.twisting) {
             (TurningLaw::None, TurningLaw::None) => {
-                compose::forces::<$normal, $tangential, Fixed<FreeTurning, FreeTurning>>($($argument),*)
+                let turnings = Fixed::<FreeTurning, FreeTurning>::default();
+                compose::forces::<$normal, $tangential, _>(
+                    $batch,
+                    $count,
+                    turnings,
+                    $sampling,
+                    $instructions,
+                )
             }
             (TurningLaw::ConstantTorque, TurningLaw::None) => {
-                compose::forces::<$normal, $tangential, Fixed<ConstantTorque, FreeTurning>>($($argument),*)
+                let turnings = Fixed::<ConstantTorque, FreeTurning>::default();
+                compose::forces::<$normal, $tangential, _>(
+                    $batch,
+                    $count,
+                    turnings,
+                    $sampling,
+                    $instructions,
+                )
             }
-            _ => false,
+            (TurningLaw::SpringDashpot, TurningLaw::None) => {
+                let turnings = Fixed::<SpringDashpot, FreeTurning>::default();
+                compose::forces::<$normal, $tangential, _>(
+                    $batch,
+                    $count,
+                    turnings,
+                    $sampling,
+                    $instructions,
+                )
+            }
+            _ => $laws.forces_of_any($batch, $count, $sampling),
         }
     };
 }
@@ -133,10 +190,7 @@ impl ContactLaws {
         history: &mut ContactHistory,
         sampling: &Sampling,
     ) -> ContactForce {
-        let turning = Chosen {
-            rolling: self.rolling,
-            twisting: self.twisting,
-        };
+        let turning = self.chosen();
         macro_rules! force {
             ($tangential:ty) => {
                 with_normal!(
@@ -153,25 +207,42 @@ impl ContactLaws {
         }
     }
 
-    /// Whether these laws can be worked out in batches.
-    pub fn has_batch(&self) -> bool {
-        matches!(self.normal, NormalLaw::Hertz | NormalLaw::Linear)
-            && self.tangential != TangentialLaw::PartialSlip
-            && self.rolling != TurningLaw::SpringDashpot
-            && self.twisting == TurningLaw::None
-    }
-
     /// Forces of the first `count` contacts of a batch over one step: the same bits as one by one.
-    ///
-    /// Tells whether these laws can be worked out in batches; nothing is done where they cannot.
     pub fn forces(
         &self,
         batch: &mut Batch,
         count: usize,
         sampling: &Sampling,
         instructions: InstructionSet,
-    ) -> bool {
-        with_batched_parts!(self, (batch, count, sampling, instructions))
+    ) {
+        forces_of!(self, batch, count, sampling, instructions);
+    }
+
+    /// The same by laws that may branch.
+    fn forces_of_any(&self, batch: &mut Batch, count: usize, sampling: &Sampling) {
+        let turning = self.chosen();
+        let baseline = InstructionSet::Baseline;
+        macro_rules! forces {
+            ($tangential:ty) => {
+                with_normal!(
+                    self,
+                    forces[$tangential, Chosen](batch, count, turning, sampling, baseline)
+                )
+            };
+        }
+        match self.tangential {
+            TangentialLaw::None => forces!(NoFriction),
+            TangentialLaw::Coulomb => forces!(Coulomb),
+            TangentialLaw::Mindlin => forces!(Mindlin),
+            TangentialLaw::PartialSlip => forces!(PartialSlip),
+        }
+    }
+
+    fn chosen(self) -> Chosen {
+        Chosen {
+            rolling: self.rolling,
+            twisting: self.twisting,
+        }
     }
 
     /// Greatest normal force within a step of a sample [N]; that of the sample where the top is farther away.

@@ -10,7 +10,7 @@ mod totals;
 pub use meeting::SpherePair;
 pub use totals::Totals;
 
-use super::{Contact, ContactForce, ContactHistory};
+use super::{Contact, ContactForce, ContactHistory, ContactLaws};
 use crate::{MaterialPair, Vec3};
 
 /// Contacts in a batch [-]: what a law reads and writes of them fills half a level-1 cache.
@@ -18,7 +18,8 @@ pub const LANES: usize = 32;
 /// Lanes are worked out by so many at a time [-]: the widest instructions take as many.
 const BLOCK: usize = 8;
 
-type Lanes = [f64; LANES];
+/// One quantity of all contacts.
+pub(super) type Lanes = [f64; LANES];
 type Lanes3 = [Lanes; 3];
 /// Three components and a companion.
 pub type Row = [f64; 4];
@@ -42,12 +43,15 @@ pub struct Batch {
     effective_mass: Lanes,
     inverse_mass: Lanes,
     arms: [Lanes; 2],
-    pair: [Lanes; 7],
+    pair: [Lanes; 11],
     /// Tangential stretch and last normal force.
     memory: Lanes4,
+    /// What else the laws remember.
+    pub(super) extra: Vec<Lanes>,
 
     /// The same, one step on.
     reached: Lanes4,
+    pub(super) next_extra: Vec<Lanes>,
     is_edge: Lanes,
     /// Force on the first body and normal force.
     force: Lanes4,
@@ -55,9 +59,10 @@ pub struct Batch {
     scalar: Lanes4,
 }
 
-impl Default for Batch {
-    /// Lanes that touch, lightly and at rest, so that those never set hold numbers.
-    fn default() -> Self {
+impl Batch {
+    /// Lanes that touch, lightly and at rest, so that those never set hold numbers; ready for some laws.
+    pub fn new(laws: ContactLaws) -> Self {
+        let extra = vec![[0.0; LANES]; laws.extra_numbers()];
         let zeros = [0.0; LANES];
         let ones = [1.0; LANES];
         Self {
@@ -74,8 +79,10 @@ impl Default for Batch {
             effective_mass: ones,
             inverse_mass: ones,
             arms: [ones; 2],
-            pair: [ones; 7],
+            pair: [ones; 11],
             memory: [zeros; 4],
+            next_extra: extra.clone(),
+            extra,
             reached: [zeros; 4],
             is_edge: zeros,
             force: [zeros; 4],
@@ -113,13 +120,22 @@ impl Batch {
         self.counted[lane] = 1.0;
     }
 
-    /// Puts what the contact in a lane remembers into it.
+    /// Puts what the contact in a lane remembers into it; `extra` is what its laws need beside the other two.
     #[inline(always)]
-    pub fn set_history(&mut self, lane: usize, stretch: [f64; 3], normal_force: f64) {
+    pub fn set_history(
+        &mut self,
+        lane: usize,
+        stretch: [f64; 3],
+        normal_force: f64,
+        extra: &[f64],
+    ) {
         for (lanes, value) in self.memory.iter_mut().zip(stretch) {
             lanes[lane] = value;
         }
         self.memory[3][lane] = normal_force;
+        for (lanes, number) in self.extra.iter_mut().zip(extra) {
+            lanes[lane] = *number;
+        }
     }
 
     /// Sets the effective values of the two materials in a lane.
@@ -133,6 +149,10 @@ impl Batch {
             pair.friction,
             pair.rolling_friction,
             pair.linear_stiffness,
+            pair.rolling_damping,
+            pair.series_shear_modulus,
+            pair.yield_pressure,
+            pair.surface_energy,
         ];
         for (lanes, value) in self.pair.iter_mut().zip(values) {
             lanes[lane] = value;
@@ -150,7 +170,10 @@ impl Batch {
             friction: self.pair[4][lane],
             rolling_friction: self.pair[5][lane],
             linear_stiffness: self.pair[6][lane],
-            ..MaterialPair::UNSET
+            rolling_damping: self.pair[7][lane],
+            series_shear_modulus: self.pair[8][lane],
+            yield_pressure: self.pair[9][lane],
+            surface_energy: self.pair[10][lane],
         }
     }
 
@@ -169,15 +192,40 @@ impl Batch {
     }
 
     /// What the contact in a lane remembered when it was set.
-    #[inline(always)]
-    pub fn history(&self, lane: usize) -> ContactHistory {
-        history(&self.memory, lane)
+    pub fn history(&self, lane: usize, laws: ContactLaws) -> ContactHistory {
+        let extra: Vec<f64> = self.extra.iter().map(|lanes| lanes[lane]).collect();
+        let mut history = self.basic_history(lane);
+        laws.unpack(&extra, &mut history);
+        history
     }
 
-    /// What the contact in a lane remembers from now on.
+    /// The same without what only some laws need.
     #[inline(always)]
-    pub fn next_history(&self, lane: usize) -> ContactHistory {
-        history(&self.reached, lane)
+    pub(super) fn basic_history(&self, lane: usize) -> ContactHistory {
+        let stretch = [
+            self.memory[0][lane],
+            self.memory[1][lane],
+            self.memory[2][lane],
+        ];
+        ContactHistory {
+            tangential_stretch: Vec3::from(stretch),
+            normal_force: self.memory[3][lane],
+            ..ContactHistory::default()
+        }
+    }
+
+    /// Stretch and normal force that the contact in a lane remembers from now on; one that is over has no force.
+    #[inline(always)]
+    pub fn next_memory(&self, lane: usize) -> Row {
+        row(&self.reached, lane)
+    }
+
+    /// Writes what else the contact in a lane remembers from now on.
+    #[inline(always)]
+    pub fn next_extra(&self, lane: usize, into: &mut [f64]) {
+        for (number, lanes) in into.iter_mut().zip(&self.next_extra) {
+            *number = lanes[lane];
+        }
     }
 
     /// Whether some contact of the first `count` begins or ends near this sample.
@@ -201,7 +249,7 @@ impl Batch {
 
     /// Puts what a contact does, and what it remembers from now on, into its lane.
     #[inline(always)]
-    pub fn set_force(
+    pub(super) fn set_force(
         &mut self,
         lane: usize,
         contact: &Contact,
@@ -293,15 +341,6 @@ fn row(lanes: &Lanes4, lane: usize) -> Row {
         lanes[2][lane],
         lanes[3][lane],
     ]
-}
-
-#[inline(always)]
-fn history(lanes: &Lanes4, lane: usize) -> ContactHistory {
-    ContactHistory {
-        tangential_stretch: Vec3::new(lanes[0][lane], lanes[1][lane], lanes[2][lane]),
-        normal_force: lanes[3][lane],
-        ..ContactHistory::default()
-    }
 }
 
 #[cfg(test)]

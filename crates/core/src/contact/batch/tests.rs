@@ -2,7 +2,8 @@
 
 use super::*;
 use crate::InstructionSet;
-use crate::contact::{ContactLaws, NormalLaw, Sampling, TangentialLaw, TurningLaw};
+use crate::contact::Sampling;
+use crate::contact::contract::registry;
 use crate::{Material, PairProperties};
 
 /// Two spheres that differ from all others, one of them in the origin.
@@ -32,36 +33,33 @@ fn spheres(number: usize, depth: f64) -> SpherePair {
     }
 }
 
-/// Every composition that has a batch.
-fn compositions() -> Vec<ContactLaws> {
-    let mut all = Vec::new();
-    for normal in [NormalLaw::Hertz, NormalLaw::Linear] {
-        for tangential in [
-            TangentialLaw::None,
-            TangentialLaw::Coulomb,
-            TangentialLaw::Mindlin,
-        ] {
-            for rolling in [TurningLaw::None, TurningLaw::ConstantTorque] {
-                all.push(ContactLaws {
-                    normal,
-                    tangential,
-                    rolling,
-                    twisting: TurningLaw::None,
-                });
-            }
-        }
-    }
-    all
+/// What a contact in its middle remembers beside its stretch.
+fn remembered(number: usize) -> ContactHistory {
+    let phase = number as f64;
+    let mut history = ContactHistory {
+        deepest_overlap: 2.0e-4 * (1.0 + phase.sin()),
+        rolling_stretch: Vec3::new(phase.cos(), 0.3, -0.2) * 1.0e-4,
+        twisting_stretch: 1.0e-4 * phase.sin(),
+        ..ContactHistory::default()
+    };
+    history.sliders.length = 1.5e-3;
+    history.sliders.covered = 4.0e-4;
+    history.sliders.displacements[0] = Vec3::new(1.0e-6, -2.0e-6, 0.0);
+    history
 }
 
-fn batch(pair: &MaterialPair) -> Batch {
-    let mut batch = Batch::default();
+fn batch(pair: &MaterialPair, laws: ContactLaws) -> Batch {
+    let mut batch = Batch::new(laws);
     for lane in 0..LANES {
         // Some lanes at their first sample, some near their last, most in the middle.
         let depth = [1.0e-6, 1.0e-5, 1.0e-4, 4.0e-4][lane % 4];
         batch.set_spheres(lane, &spheres(lane, depth), lane % 5 > 0);
         let last_force = if lane % 3 == 0 { 0.0 } else { 2.0 };
-        batch.set_history(lane, [8.0e-4, 3.0e-4, -6.0e-4], last_force);
+        let mut extra = vec![0.0; laws.extra_numbers()];
+        if last_force > 0.0 {
+            laws.pack(&remembered(lane), &mut extra);
+        }
+        batch.set_history(lane, [8.0e-4, 3.0e-4, -6.0e-4], last_force, &extra);
         batch.set_pair(lane, pair);
     }
     batch
@@ -74,6 +72,8 @@ fn pair() -> MaterialPair {
         friction: 0.4,
         rolling_friction: 0.05,
         stiffness: Some(1.0e5),
+        yield_pressure: Some(2.0e6),
+        surface_energy: Some(0.05),
         ..PairProperties::ELASTIC
     };
     MaterialPair::new(&ore, &ore, &properties)
@@ -81,7 +81,7 @@ fn pair() -> MaterialPair {
 
 #[test]
 fn spheres_in_a_batch_meet_as_by_the_definitions() {
-    let mut batch = batch(&pair());
+    let mut batch = batch(&pair(), ContactLaws::default());
     batch.meet(LANES, InstructionSet::widest());
     for lane in 0..LANES {
         let given = spheres(lane, [1.0e-6, 1.0e-5, 1.0e-4, 4.0e-4][lane % 4]);
@@ -107,14 +107,13 @@ fn a_batch_has_the_bits_of_its_contacts_one_by_one_by_every_instruction_set() {
         .into_iter()
         .filter(|set| set.is_available());
     for instructions in available {
-        for laws in compositions() {
+        for laws in registry() {
             for sampling in [Sampling::plain(2.0e-5), Sampling::located(2.0e-5)] {
-                let mut batch = batch(&pair);
+                let mut batch = batch(&pair, laws);
                 batch.meet(LANES, instructions);
-                assert!(laws.has_batch());
-                assert!(laws.forces(&mut batch, LANES, &sampling, instructions));
+                laws.forces(&mut batch, LANES, &sampling, instructions);
                 for lane in 0..LANES {
-                    let mut history = batch.history(lane);
+                    let mut history = batch.history(lane, laws);
                     let contact = batch.contact(lane);
                     let force = laws.force(&contact, &pair, &mut history, &sampling);
                     let which = format!("lane {lane}, {laws:?}, {sampling:?}, {instructions:?}");
@@ -128,9 +127,14 @@ fn a_batch_has_the_bits_of_its_contacts_one_by_one_by_every_instruction_set() {
                     let moment = -batch.arms[0][lane] * contact.normal.cross(&force.force);
                     let torque = force.turning_torque + moment;
                     assert!((batch.torques(lane)[0] - torque).norm() <= 1.0e-16 * moment.norm());
-                    let next = batch.next_history(lane);
-                    assert_eq!(next.tangential_stretch, history.tangential_stretch);
-                    assert_eq!(next.normal_force, history.normal_force);
+                    let [x, y, z, normal_force] = batch.next_memory(lane);
+                    assert_eq!(Vec3::new(x, y, z), history.tangential_stretch, "{which}");
+                    assert_eq!(normal_force, history.normal_force, "{which}");
+                    let mut extra = vec![0.0; laws.extra_numbers()];
+                    let mut expected = extra.clone();
+                    batch.next_extra(lane, &mut extra);
+                    laws.pack(&history, &mut expected);
+                    assert_eq!(extra, expected, "{which}");
                 }
             }
         }
@@ -139,7 +143,7 @@ fn a_batch_has_the_bits_of_its_contacts_one_by_one_by_every_instruction_set() {
 
 #[test]
 fn the_totals_are_the_sums_over_the_counted_contacts() {
-    let mut batch = batch(&pair());
+    let mut batch = batch(&pair(), ContactLaws::default());
     let sampling = Sampling::located(2.0e-5);
     let instructions = InstructionSet::widest();
     batch.meet(LANES, instructions);

@@ -50,6 +50,8 @@ pub trait Normal {
     const DAMPING_POWER: f64;
     /// Whether the force is gone at release, which can then be located by it.
     const ENDS_AT_ZERO: bool;
+    /// Whether it remembers the deepest overlap.
+    const REMEMBERS_DEPTH: bool = false;
 
     /// Force of a contact whose overlap grows at `approach_speed` [m/s].
     fn force(

@@ -61,6 +61,7 @@ impl Normal for Plastic {
     const ELASTIC_POWER: f64 = 1.5;
     const DAMPING_POWER: f64 = 0.25;
     const ENDS_AT_ZERO: bool = true;
+    const REMEMBERS_DEPTH: bool = true;
 
     fn force(
         contact: &Contact,

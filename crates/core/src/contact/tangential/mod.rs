@@ -32,6 +32,9 @@ pub struct Slide {
 
 /// A tangential law.
 pub trait Tangential {
+    /// Whether it remembers a row of sliders.
+    const HAS_SLIDERS: bool = false;
+
     /// Force of a contact whose surfaces slide, and its memory one step on.
     fn force(
         contact: &Contact,

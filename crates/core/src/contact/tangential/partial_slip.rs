@@ -117,6 +117,8 @@ impl Covered {
 }
 
 impl Tangential for PartialSlip {
+    const HAS_SLIDERS: bool = true;
+
     fn force(
         contact: &Contact,
         pair: &MaterialPair,

@@ -34,6 +34,9 @@ pub struct Resistance {
 
 /// A law of turning.
 pub trait Turning {
+    /// Whether it has a spring, which remembers how far it is stretched.
+    const HAS_SPRING: bool = false;
+
     /// Torque against a relative spin [rad/s], and what the spring remembers [√J] one step on.
     fn torque(resistance: &Resistance, spin: Vec3, stretch: &mut Vec3) -> SpringForce;
 }

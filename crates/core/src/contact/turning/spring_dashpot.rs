@@ -14,7 +14,9 @@ const STOPPED_PER_STEP: f64 = 0.25;
 pub struct SpringDashpot;
 
 impl Turning for SpringDashpot {
-    #[inline]
+    const HAS_SPRING: bool = true;
+
+    #[inline(always)]
     fn torque(resistance: &Resistance, spin: Vec3, stretch: &mut Vec3) -> SpringForce {
         let Resistance {
             inertia, time_step, ..

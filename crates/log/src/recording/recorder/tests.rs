@@ -79,6 +79,7 @@ fn setup() -> Setup {
         skin: None,
         limits: Limits::default(),
         skips: Skips::default(),
+        instructions: None,
     }
 }
 
