@@ -149,7 +149,7 @@ pub(crate) fn flow() -> Vec<Place> {
 fn step(setup: &Setup) -> f64 {
     match setup.step {
         StepRequest::Fixed(seconds) => seconds,
-        _ => f64::NAN,
+        StepRequest::PeakForceError(_) => f64::NAN,
     }
 }
 

@@ -86,7 +86,7 @@ impl Scene {
         let pair = &setup.pairs[0].1;
         let step = match setup.step {
             StepRequest::Fixed(seconds) => seconds,
-            _ => f64::NAN,
+            StepRequest::PeakForceError(_) => f64::NAN,
         };
         let bounds = &setup.domain.bounds;
         let place = match self {

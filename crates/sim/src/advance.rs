@@ -3,6 +3,10 @@
 //! A leapfrog. Each pellet carries its velocity at the half step, which the drift needs,
 //! and the velocity that the contact laws see: predicted by the last acceleration to the full step, so that damping and
 //! friction see positions and velocities of one instant (Vyas et al. 2024); only semi-implicit Euler does without.
+#![expect(
+    clippy::inline_always,
+    reason = "what is not inlined is not compiled for the instruction set"
+)]
 
 use crate::model::Model;
 use crate::share::Share;

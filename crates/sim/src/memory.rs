@@ -1,4 +1,8 @@
 //! What contacts remember between steps.
+#![expect(
+    clippy::inline_always,
+    reason = "what is not inlined is not compiled for the instruction set"
+)]
 
 use crate::state::Row;
 use pelletflow_core::contact::Batch;

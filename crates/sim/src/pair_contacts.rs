@@ -2,6 +2,10 @@
 //!
 //! Two passes over a chunk: a filter that picks the touching pairs without a branch to mispredict, then the laws on
 //! batches of those alone, several contacts to an instruction.
+#![expect(
+    clippy::inline_always,
+    reason = "what is not inlined is not compiled for the instruction set"
+)]
 
 use crate::memory::ContactMemory;
 use crate::share::Share;

@@ -53,13 +53,11 @@ impl Rest {
             let material = setup.pellets[kind].material;
             let pair = setup.pair(material, material);
             let weight = gravity * setup.mass(kind, smallest / 2.0);
-            match setup.laws.normal {
-                NormalLaw::Linear => weight / pair.linear_stiffness,
-                _ => {
-                    let root = (smallest / 4.0).sqrt();
-                    (0.75 * weight / (pair.effective_youngs_modulus * root)).powf(2.0 / 3.0)
-                }
+            if setup.laws.normal == NormalLaw::Linear {
+                return weight / pair.linear_stiffness;
             }
+            let root = (smallest / 4.0).sqrt();
+            (0.75 * weight / (pair.effective_youngs_modulus * root)).powf(2.0 / 3.0)
         });
         let overlap = overlaps.fold(f64::INFINITY, f64::min);
         (setup.skips.rest && gravity > 0.0).then(|| Self {

@@ -198,6 +198,10 @@ impl Default for Limits {
 
 /// Work that may be left out because it changes nothing; each can be forced back in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "switches that have nothing to do with each other"
+)]
 pub struct Skips {
     /// No spin where no law acts on it.
     pub rotation: bool,

@@ -122,7 +122,7 @@ pub(crate) fn each_chunk(
             rest::sleep_on(&mut share, sleep);
             return;
         }
-        let scratch = &mut share.scratch;
+        let scratch = &mut *share.scratch;
         scratch.tally.begin(walls.len(), so_far);
         scratch.clock.begin(step);
         scratch.loads.clear();

@@ -219,7 +219,7 @@ impl ContactLaws {
     }
 
     /// The same by laws that may branch.
-    fn forces_of_any(&self, batch: &mut Batch, count: usize, sampling: &Sampling) {
+    fn forces_of_any(self, batch: &mut Batch, count: usize, sampling: &Sampling) {
         let turning = self.chosen();
         let baseline = InstructionSet::Baseline;
         macro_rules! forces {

@@ -4,6 +4,10 @@ use super::{ContactHistory, ContactLaws, NormalLaw, TangentialLaw, TurningLaw};
 
 /// Which numbers a contact remembers beside its tangential stretch and its normal force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each part of a law needs its numbers or not, whatever the others do"
+)]
 pub(super) struct Extra {
     pub(super) depth: bool,
     pub(super) rolling: bool,

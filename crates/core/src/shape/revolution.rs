@@ -90,6 +90,7 @@ pub(crate) fn surface(profile: &Profile, point: Vec3) -> Surface {
 }
 
 /// What a profile says of a point of the half-plane.
+#[derive(Debug, Clone, Copy)]
 pub(crate) struct HalfPlaneSurface {
     pub(crate) distance: f64,
     /// Way out of the solid, as `[radial, axial]`.
