@@ -128,7 +128,7 @@ fn counted(bench: &Bench, scene: &'static str, steps: u64) -> Result<Counted> {
     Ok(Counted { ours, theirs })
 }
 
-/// Greatest distance between pellets by the usual path and by the reference path [diameters].
+/// Greatest distance between pellets by the usual path and by the reference path over the diameter [-].
 fn off_reference(bench: &mut Bench, scene: &'static str, cores: usize) -> Result<f64> {
     if let Some(off) = bench.off_reference.get(scene) {
         return Ok(*off);

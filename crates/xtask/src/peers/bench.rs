@@ -21,7 +21,7 @@ pub(crate) struct Bench {
     inputs: BTreeMap<&'static str, Inputs>,
     /// Pellets that left, by scene.
     pub(crate) left: BTreeMap<&'static str, Counted>,
-    /// Greatest distance from the reference path, by scene [diameters].
+    /// Greatest distance from the reference path, by scene over the diameter [-].
     pub(crate) off_reference: BTreeMap<&'static str, f64>,
 }
 
