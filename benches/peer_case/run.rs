@@ -103,7 +103,6 @@ fn take_reference_path(scene: Scene, setup: &mut Setup) {
         rotation: false,
         distant_walls: false,
         free_flight: false,
-        rest: false,
     };
     setup.instructions = Some(InstructionSet::Baseline);
     setup.search = match scene {

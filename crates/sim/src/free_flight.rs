@@ -38,6 +38,7 @@ pub(crate) fn fly(
     }
     let fastest = advance(model, state, workspace, steps as usize);
     health::check_finite(model, state, workspace)?;
+    state.pellets.exchange_rows(&mut workspace.next);
     let time_step = model.time_step().seconds;
     for speed_squared in &fastest[..steps as usize - 1] {
         state.books.particle_steps += state.pellets.len() as u64;
@@ -159,6 +160,5 @@ fn advance(
         }
     }
     tally.max_speed_squared = fastest[steps - 1];
-    pellets.exchange_rows(next);
     fastest
 }

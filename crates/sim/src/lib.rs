@@ -40,7 +40,6 @@ mod neighbors;
 mod pair_contacts;
 mod profile;
 mod random;
-mod rest;
 mod share;
 mod step;
 mod tally;

@@ -155,16 +155,6 @@ impl ContactMemories {
         }
     }
 
-    /// Remembers a contact as its partner does.
-    pub(crate) fn adopt(&mut self, slot: usize, other: &Self, theirs: usize, laws: ContactLaws) {
-        self.rows[slot] = other.rows[theirs].mirrored();
-        let extra = self.extra_of(slot);
-        laws.pack(
-            &other.history(theirs, laws).mirrored(),
-            &mut self.extra[extra],
-        );
-    }
-
     /// Where the extra numbers of a contact are.
     #[inline(always)]
     fn extra_of(&self, slot: usize) -> Range<usize> {

@@ -1,7 +1,6 @@
 //! A validated setup, and what follows from it.
 
 use crate::error::SetupError;
-use crate::rest::Rest;
 use crate::setup::Setup;
 use crate::size::SizeDistribution;
 use crate::time_step::{self, TimeStep};
@@ -42,7 +41,6 @@ struct Derived {
     /// Whether a meter watches the contacts with a wall, by wall.
     watched_walls: Vec<bool>,
     periodic: Option<PeriodicBox>,
-    rest: Option<Rest>,
 }
 
 /// Extra reach of a neighbor list over the mean of the smallest and the largest diameter, where none is given [-].
@@ -59,7 +57,7 @@ impl Model {
             return Err(mistakes);
         }
         let time_step = time_step::choose(&setup).map_err(|mistake| vec![mistake])?;
-        let derived = Derived::new(&setup, time_step.seconds);
+        let derived = Derived::new(&setup);
         if derived.skin <= derived.holding_gap {
             let message = format!(
                 "is {:.3e} m; expected more than {:.3e} m, the gap up to which sticky bodies hold on to each other; \
@@ -188,21 +186,6 @@ impl Model {
         self.derived.periodic
     }
 
-    /// What is rest; none where pellets at rest are worked out all the same, or nothing can rest.
-    pub(crate) fn rest(&self) -> Option<Rest> {
-        self.derived.rest
-    }
-
-    /// Whether some wall has come or gone since the step before.
-    pub(crate) fn has_gate_moved(&self, step: u64) -> bool {
-        let time_step = self.time_step.seconds;
-        let (now, before) = (step as f64 * time_step, (step as f64 - 1.0) * time_step);
-        self.setup.walls.iter().any(|wall| {
-            !wall.schedule.changes().is_empty()
-                && wall.schedule.is_present(now) != wall.schedule.is_present(before)
-        })
-    }
-
     /// Greatest speed of any moving wall [m/s].
     pub(crate) fn greatest_wall_speed(&self) -> f64 {
         self.derived.greatest_wall_speed
@@ -210,7 +193,7 @@ impl Model {
 }
 
 impl Derived {
-    fn new(setup: &Setup, time_step: f64) -> Self {
+    fn new(setup: &Setup) -> Self {
         let materials = || setup.pellets.iter().map(|kind| kind.material);
         let diameters = || setup.pellets.iter().map(|kind| &kind.size);
         let smallest_diameter = diameters()
@@ -260,7 +243,6 @@ impl Derived {
             ),
             smallest_diameter,
             largest_diameter,
-            rest: Rest::new(setup, smallest_diameter, largest_diameter, time_step),
             periodic: PeriodicBox::new(&setup.domain.bounds, setup.domain.is_periodic),
             has_rotation: setup.laws.turns() || !setup.skips.rotation,
             touchables: setup

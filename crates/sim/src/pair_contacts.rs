@@ -51,7 +51,7 @@ pub(crate) fn note_lists(state: &State, workspace: &mut Workspace) {
 }
 
 /// Pairs whose memory says that they touch.
-pub(crate) fn open_touches(list: &ChunkList, contacts: &ChunkContacts) -> Vec<Touch> {
+fn open_touches(list: &ChunkList, contacts: &ChunkContacts) -> Vec<Touch> {
     let mut touches = Vec::new();
     for (local, ends) in list.offsets.windows(2).enumerate() {
         let open = (ends[0]..ends[1]).filter(|&slot| contacts.pellet.is_open(slot as usize));

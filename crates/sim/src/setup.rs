@@ -198,10 +198,6 @@ impl Default for Limits {
 
 /// Work that may be left out because it changes nothing; each can be forced back in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[expect(
-    clippy::struct_excessive_bools,
-    reason = "switches that have nothing to do with each other"
-)]
 pub struct Skips {
     /// No spin where no law acts on it.
     pub rotation: bool,
@@ -209,8 +205,6 @@ pub struct Skips {
     pub distant_walls: bool,
     /// Many steps at once while no pellet is near anything.
     pub free_flight: bool,
-    /// No work on chunks of pellets at rest.
-    pub rest: bool,
 }
 
 impl Default for Skips {
@@ -219,7 +213,6 @@ impl Default for Skips {
             rotation: true,
             distant_walls: true,
             free_flight: true,
-            rest: true,
         }
     }
 }

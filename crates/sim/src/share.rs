@@ -3,7 +3,6 @@
 use crate::chunk;
 use crate::model::Model;
 use crate::profile::{self, Profile, Stage};
-use crate::rest;
 use crate::state::{ChunkContacts, Row, State};
 use crate::wall::WallNow;
 use crate::workspace::{ChunkList, ChunkScratch, Load, Workspace};
@@ -55,7 +54,7 @@ impl Share<'_> {
     }
 }
 
-/// Has every chunk that is awake do its share, and puts what they did together into the workspace's tally.
+/// Has every chunk do its share, and puts what they did together into the workspace's tally.
 ///
 /// Each pellet's forces are summed by its own chunk in list order, and chunks are put together in their own order, so the
 /// bits do not depend on the threads.
@@ -70,7 +69,6 @@ pub(crate) fn each_chunk(
         step,
         pellets,
         contacts,
-        sleeping,
         books,
         ..
     } = state;
@@ -90,15 +88,14 @@ pub(crate) fn each_chunk(
         .zip(&workspace.lists)
         .zip(contacts)
         .zip(&mut workspace.chunks)
-        .zip(sleeping.iter())
         .zip(pellets.half_step_velocity.chunks_mut(size))
         .zip(pellets.half_step_spin.chunks_mut(size))
         .zip(workspace.next.position.chunks_mut(size))
         .zip(workspace.next.velocity.chunks_mut(size))
         .zip(workspace.next.spin.chunks_mut(size))
         .map(|((((row, own_spin), position), velocity), spin)| {
-            let (((((range, list), contacts), scratch), sleep), own_velocity) = row;
-            let share = Share {
+            let ((((range, list), contacts), scratch), own_velocity) = row;
+            Share {
                 model,
                 walls,
                 step,
@@ -112,16 +109,11 @@ pub(crate) fn each_chunk(
                 next_position: position,
                 next_velocity: velocity,
                 next_spin: spin,
-            };
-            (share, sleep)
+            }
         });
     let so_far = &books.contacts;
     let start = profile::is_timed(step).then(Instant::now);
-    chunk::for_each(workspace.is_parallel, shares, |(mut share, sleep)| {
-        if let Some(sleep) = sleep {
-            rest::sleep_on(&mut share, sleep);
-            return;
-        }
+    chunk::for_each(workspace.is_parallel, shares, |mut share| {
         let scratch = &mut *share.scratch;
         scratch.tally.begin(walls.len(), so_far);
         scratch.clock.begin(step);
@@ -134,10 +126,6 @@ pub(crate) fn each_chunk(
         profile.share_out(start.elapsed(), clocks);
     }
     workspace.tally.begin(walls.len(), so_far);
-    let asleep = chunk::ranges(count)
-        .zip(sleeping)
-        .filter(|(_, sleep)| sleep.is_some());
-    workspace.slept += asleep.map(|(range, _)| range.len() as u64).sum::<u64>();
     for chunk in &workspace.chunks {
         workspace.tally.add(&chunk.tally);
     }

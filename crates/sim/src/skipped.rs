@@ -95,16 +95,5 @@ pub(crate) fn list(model: &Model, state: &State, workspace: &Workspace) -> Vec<S
             ),
         });
     }
-    if workspace.slept > 0 {
-        let all = state.books.particle_steps as f64;
-        skipped.push(Skipped {
-            what: "pellets at rest",
-            reason: "nothing disturbed the groups that they are stored in".into(),
-            saved: format!(
-                "{:.1} % of the pellet-steps",
-                100.0 * workspace.slept as f64 / all
-            ),
-        });
-    }
     skipped
 }

@@ -3,7 +3,6 @@
 use crate::books::Books;
 use crate::memory::ContactMemories;
 use crate::meter::Record;
-use crate::rest::Sleep;
 use crate::workspace::NextRows;
 use pelletflow_core::Vec3;
 
@@ -31,8 +30,6 @@ pub struct State {
     pub pellets: Pellets,
     /// What each listed contact remembers, chunk by chunk, aligned with the neighbor lists.
     pub contacts: Vec<ChunkContacts>,
-    /// Which chunks sleep.
-    pub(crate) sleeping: Vec<Option<Sleep>>,
     /// Positions at the last neighbor search, from which the lists follow [m].
     pub searched_position: Vec<Row>,
     /// Bound of how far any pellet has moved since then [m].
@@ -62,8 +59,6 @@ pub struct Pellets {
     pub half_step_velocity: Vec<Row>,
     /// Spin half a step earlier [rad/s], and the moment of inertia [kg·m²].
     pub half_step_spin: Vec<Row>,
-    /// Where it was when it last moved [m], and the step [-]; a smaller way is no motion.
-    pub anchor: Vec<Row>,
     /// Step before which it came [-].
     pub born: Vec<u64>,
 }
@@ -119,7 +114,6 @@ impl Pellets {
             .push(row(new.velocity - behind, new.mass));
         self.half_step_spin
             .push(row(new.spin, 0.4 * new.mass * new.radius.powi(2)));
-        self.anchor.push(row(new.position, step as f64));
         self.born.push(step);
     }
 
@@ -143,7 +137,6 @@ impl Pellets {
         select(&mut self.spin, order);
         select(&mut self.half_step_velocity, order);
         select(&mut self.half_step_spin, order);
-        select(&mut self.anchor, order);
         select(&mut self.born, order);
     }
 }

@@ -11,7 +11,6 @@ use crate::model::Model;
 use crate::neighbors;
 use crate::pair_contacts;
 use crate::profile::{Profile, Stage};
-use crate::rest;
 use crate::share::each_chunk;
 use crate::state::State;
 use crate::wall::WallNow;
@@ -52,10 +51,8 @@ fn stages(
     if neighbors::is_search_due(model, state) || inlet::is_any_due(model, state) {
         let kept = profile.time(Stage::Exchange, || exchange(model, state, &workspace.walls))?;
         profile.time(Stage::Search, || {
-            let before = state.pellets.id.clone();
             neighbors::search(model, state, workspace, &kept);
             pair_contacts::note_lists(state, workspace);
-            rest::carry(model, state, workspace, &before);
         });
         profile.time(Stage::Meters, || meter::list(model, state));
         health::check_energy(model, state)?;
@@ -66,7 +63,6 @@ fn stages(
         return Ok(flown);
     }
 
-    rest::wake(model, state, workspace);
     // Contacts become forces and forces motion: of each chunk by itself, from rows as they are to rows as they will be.
     each_chunk(model, state, workspace, profile, |share| {
         share.stage(Stage::PairContacts, pair_contacts::add_forces);
@@ -87,7 +83,6 @@ fn stages(
         );
     });
     enter(model, state, workspace);
-    rest::settle(model, state, workspace);
     Ok(1)
 }
 

@@ -25,7 +25,7 @@ pub(crate) struct DeepestContact {
 }
 
 /// Sums and extremes over the contacts and pellets of a chunk, or of all.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Tally {
     /// Open contacts.
     pub(crate) open: u64,
@@ -71,22 +71,6 @@ impl Tally {
             wall_touches,
             ..Self::default()
         };
-    }
-
-    /// What is left where nothing moves: open contacts with their energies and forces.
-    pub(crate) fn be_still(&mut self) {
-        self.deepest = None;
-        self.totals.dissipation = 0.0;
-        self.totals.shear_power = 0.0;
-        self.wall_power = 0.0;
-        for touch in &mut self.wall_touches {
-            touch.is_first = false;
-        }
-        self.finished = 0;
-        self.finished_steps = 0;
-        self.fewest_steps = u32::MAX;
-        self.kinetic = 0.0;
-        self.max_speed_squared = 0.0;
     }
 
     /// Force beyond which a contact may hold a record [N].

@@ -2,7 +2,6 @@
 
 use crate::chunk;
 use crate::profile::{ChunkClock, Profile};
-use crate::rest::Border;
 use crate::state::Row;
 use crate::tally::Tally;
 use crate::wall::WallNow;
@@ -22,8 +21,6 @@ pub struct Workspace {
     pub(crate) is_free: bool,
     /// Steps taken in free flight so far.
     pub(crate) free_steps: u64,
-    /// Pellet-steps that sleeping pellets were spared so far.
-    pub(crate) slept: u64,
     /// Where each wall is in this step.
     pub(crate) walls: Vec<WallNow>,
     /// Whether stages run in parallel.
@@ -58,10 +55,6 @@ pub(crate) struct ChunkScratch {
     pub(crate) loads: Vec<Load>,
     /// What the chunk did in this step.
     pub(crate) tally: Tally,
-    /// Its pairs with pellets of other chunks, where it sleeps.
-    pub(crate) borders: Vec<Border>,
-    /// Whether both the present and the next rows hold its pellets, where it sleeps.
-    pub(crate) is_copied: bool,
     /// Time of its stages.
     pub(crate) clock: ChunkClock,
 }

@@ -160,11 +160,11 @@ impl Side {
         let height = (point[0] - self.start[0]) * self.normal[0]
             + (point[1] - self.start[1]) * self.normal[1];
         if height >= 0.0 {
-            Some(HalfPlaneSurface::flat(height, self.normal))
-        } else {
-            let behind = self.normal.map(|component| -component);
-            (!is_closed).then(|| HalfPlaneSurface::flat(-height, behind))
+            return Some(HalfPlaneSurface::flat(height, self.normal));
         }
+        // A side without length has no height.
+        let behind = self.normal.map(|component| -component);
+        (height < 0.0 && !is_closed).then(|| HalfPlaneSurface::flat(-height, behind))
     }
 }
 

@@ -197,6 +197,5 @@ pub(super) fn skips(spec: &SkipSpec) -> Skips {
         rotation: spec.rotation.unwrap_or(default.rotation),
         distant_walls: spec.distant_walls.unwrap_or(default.distant_walls),
         free_flight: spec.free_flight.unwrap_or(default.free_flight),
-        rest: spec.rest.unwrap_or(default.rest),
     }
 }

@@ -66,7 +66,7 @@ pub(crate) struct LimitsSpec {
     pub(crate) energy_residual: Option<Share>,
 }
 
-/// Work that may be left out because it changes nothing that matters; false forces it back in.
+/// Work that may be left out because it changes nothing; false forces it back in.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub(crate) struct SkipSpec {
@@ -76,6 +76,4 @@ pub(crate) struct SkipSpec {
     pub(crate) distant_walls: Option<bool>,
     /// Many steps at once while no pellet is near anything; true where nothing is said.
     pub(crate) free_flight: Option<bool>,
-    /// No work on groups of pellets at rest, until something disturbs them; true where nothing is said.
-    pub(crate) rest: Option<bool>,
 }
