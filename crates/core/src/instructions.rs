@@ -3,15 +3,16 @@
 //! No result depends on the choice: additions, products, quotients and square roots are rounded alike everywhere, and
 //! nothing here is fused into one rounding.
 
-use pulp::x86::{V3, V4};
-use pulp::{Simd, WithSimd};
-use serde::{Deserialize, Serialize};
+#[cfg(target_arch = "x86_64")]
+use pulp::{
+    Simd, WithSimd,
+    x86::{V3, V4},
+};
 
 /// Instructions that a processor may have.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum InstructionSet {
-    /// Those of every processor: two numbers at a time.
+    /// Those that every processor of its kind has.
     Baseline,
     /// AVX2: four numbers at a time.
     Avx2,
@@ -30,8 +31,10 @@ pub trait Task {
     fn run(self) -> Self::Output;
 }
 
+#[cfg(target_arch = "x86_64")]
 struct Vectorized<T>(T);
 
+#[cfg(target_arch = "x86_64")]
 impl<T: Task> WithSimd for Vectorized<T> {
     type Output = T::Output;
 
@@ -49,6 +52,15 @@ impl InstructionSet {
     /// All of them, the narrowest first.
     pub const ALL: [Self; 3] = [Self::Baseline, Self::Avx2, Self::Avx512];
 
+    /// The widest that this machine has.
+    pub fn widest() -> Self {
+        let available = Self::ALL.into_iter().filter(|set| set.is_available());
+        available.fold(Self::Baseline, |_, wider| wider)
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+impl InstructionSet {
     /// Whether this machine has it.
     pub fn is_available(self) -> bool {
         match self {
@@ -56,12 +68,6 @@ impl InstructionSet {
             Self::Avx2 => V3::try_new().is_some(),
             Self::Avx512 => V4::try_new().is_some(),
         }
-    }
-
-    /// The widest that this machine has.
-    pub fn widest() -> Self {
-        let available = Self::ALL.into_iter().filter(|set| set.is_available());
-        available.fold(Self::Baseline, |_, wider| wider)
     }
 
     /// Does work by these instructions, or by those of the baseline where the machine has none of these.
@@ -78,5 +84,19 @@ impl InstructionSet {
                 None => task.run(),
             },
         }
+    }
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+impl InstructionSet {
+    /// Whether this machine has it.
+    pub fn is_available(self) -> bool {
+        self == Self::Baseline
+    }
+
+    /// Does work by the instructions of the baseline.
+    #[inline]
+    pub fn run<T: Task>(self, task: T) -> T::Output {
+        task.run()
     }
 }

@@ -21,10 +21,6 @@ pub(crate) fn advance(share: &mut Share) {
     instructions.run(Translation { share, kick });
     if share.model.has_rotation() {
         instructions.run(Rotation { share, kick });
-    } else {
-        share
-            .next_spin
-            .copy_from_slice(&share.pellets.spin[share.range.clone()]);
     }
 }
 

@@ -38,7 +38,7 @@ pub(crate) fn fly(
     }
     let fastest = advance(model, state, workspace, steps as usize);
     health::check_finite(model, state, workspace)?;
-    state.pellets.exchange_rows(&mut workspace.next);
+    state.pellets.exchange_rows(model, &mut workspace.next);
     let time_step = model.time_step().seconds;
     for speed_squared in &fastest[..steps as usize - 1] {
         state.books.particle_steps += state.pellets.len() as u64;
@@ -99,6 +99,7 @@ fn advance(
 ) -> [f64; MOST_STEPS] {
     let kick = Kick::new(model, state.step);
     let gravity = row(model.setup().gravity, 0.0);
+    let nothing = Load::default();
     let has_rotation = model.has_rotation();
     let pellets = &mut state.pellets;
     let size = chunk::size(pellets.len());
@@ -124,10 +125,12 @@ fn advance(
             for (local, index) in range.enumerate() {
                 let (mut position, mut after) = (positions[index], half_step[local]);
                 let (mass, inverse_mass) = (after[3], velocities[index][3]);
+                // The very operations of a step without contacts, for the sake of signed zeros too.
+                let acceleration = moved(&gravity, inverse_mass, &nothing.force);
                 let (mut now, mut before) = (after, position);
                 for fastest in &mut flown.fastest[..steps] {
-                    now = moved(&after, kick.before, &gravity);
-                    after = moved(&now, kick.after, &gravity);
+                    now = moved(&after, kick.before, &acceleration);
+                    after = moved(&now, kick.after, &acceleration);
                     before = position;
                     position = moved(&position, kick.drift, &after);
                     *fastest = greater(*fastest, squared(&after));
@@ -136,14 +139,15 @@ fn advance(
                 flown.potential -= mass * dot(&gravity, &before);
                 half_step[local] = with(after, mass);
                 next_position[local] = with(position, positions[index][3]);
-                let velocity = moved(&after, kick.prediction, &gravity);
+                let velocity = moved(&after, kick.prediction, &acceleration);
                 next_velocity[local] = with(velocity, inverse_mass);
-                next_spin[local] = spins[index];
                 if has_rotation {
-                    // Nothing turns it, and so the predicted spin is that of the last kick.
-                    let spin = &half_step_spin[local];
-                    of_spin += 0.5 * spin[3] * squared(spin);
-                    next_spin[local] = with(*spin, spins[index][3]);
+                    // Nothing turns it: every kick leaves the spin as it is, and so does the prediction.
+                    let (inertia, inverse_inertia) = (half_step_spin[local][3], spins[index][3]);
+                    let spin = moved(&half_step_spin[local], kick.before, &nothing.torque);
+                    of_spin += 0.5 * inertia * squared(&spin);
+                    half_step_spin[local] = with(spin, inertia);
+                    next_spin[local] = with(spin, inverse_inertia);
                 }
             }
             flown.kinetic += of_spin;

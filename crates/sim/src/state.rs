@@ -3,6 +3,7 @@
 use crate::books::Books;
 use crate::memory::ContactMemories;
 use crate::meter::Record;
+use crate::model::Model;
 use crate::workspace::NextRows;
 use pelletflow_core::Vec3;
 
@@ -117,11 +118,13 @@ impl Pellets {
         self.born.push(step);
     }
 
-    /// Exchanges position, velocity and spin with rows of another instant.
-    pub(crate) fn exchange_rows(&mut self, next: &mut NextRows) {
+    /// Exchanges the rows that a step of a model moves with those of the next instant.
+    pub(crate) fn exchange_rows(&mut self, model: &Model, next: &mut NextRows) {
         std::mem::swap(&mut self.position, &mut next.position);
         std::mem::swap(&mut self.velocity, &mut next.velocity);
-        std::mem::swap(&mut self.spin, &mut next.spin);
+        if model.has_rotation() {
+            std::mem::swap(&mut self.spin, &mut next.spin);
+        }
     }
 
     /// Keeps the rows named, in that order.

@@ -73,7 +73,7 @@ fn stages(
     health::check_finite(model, state, workspace)?;
 
     // Bodies move, meters watch and the books are kept.
-    state.pellets.exchange_rows(&mut workspace.next);
+    state.pellets.exchange_rows(model, &mut workspace.next);
     profile.sample(state.step, Stage::Meters, || {
         meter::watch(
             model,

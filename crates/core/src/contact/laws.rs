@@ -5,7 +5,7 @@ use super::compose::{self, Chosen, Fixed};
 use super::normal::{Hertz, Jkr, Linear, Plastic, pull_off_gap};
 use super::peak::Quantity;
 use super::tangential::{Coulomb, Mindlin, NoFriction, PartialSlip};
-use super::turning::{ConstantTorque, FreeTurning, SpringDashpot};
+use super::turning::{ConstantTorque, FreeTurning};
 use super::{Contact, ContactForce, ContactHistory, Sampling};
 use crate::MaterialPair;
 use crate::instructions::InstructionSet;
@@ -90,91 +90,14 @@ macro_rules! with_normal {
     };
 }
 
-/// Works out a batch by the types that stand for the parts.
-///
-/// The choice is made outside the function, so that a loop inside it holds no branch. Compositions whose functions branch
-/// by themselves have nothing of vector instructions and are compiled once.
-macro_rules! forces_of {
-    ($laws:expr, $batch:expr, $count:expr, $sampling:expr, $instructions:expr) => {
-        match $laws.normal {
-            NormalLaw::Hertz => forces_of!($laws, $batch, $count, $sampling, $instructions, Hertz),
-            NormalLaw::Linear => {
-                forces_of!($laws, $batch, $count, $sampling, $instructions, Linear)
-            }
-            NormalLaw::Plastic | NormalLaw::Jkr => $laws.forces_of_any($batch, $count, $sampling),
-        }
-    };
-    ($laws:expr, $batch:expr, $count:expr, $sampling:expr, $instructions:expr, $normal:ty) => {
+/// Runs a macro with the type that stands for the tangential law.
+macro_rules! with_tangential {
+    ($laws:expr, $run:ident) => {
         match $laws.tangential {
-            TangentialLaw::None => {
-                forces_of!(
-                    $laws,
-                    $batch,
-                    $count,
-                    $sampling,
-                    $instructions,
-                    $normal,
-                    NoFriction
-                )
-            }
-            TangentialLaw::Coulomb => {
-                forces_of!(
-                    $laws,
-                    $batch,
-                    $count,
-                    $sampling,
-                    $instructions,
-                    $normal,
-                    Coulomb
-                )
-            }
-            TangentialLaw::Mindlin => {
-                forces_of!(
-                    $laws,
-                    $batch,
-                    $count,
-                    $sampling,
-                    $instructions,
-                    $normal,
-                    Mindlin
-                )
-            }
-            TangentialLaw::PartialSlip => $laws.forces_of_any($batch, $count, $sampling),
-        }
-    };
-    ($laws:expr, $batch:expr, $count:expr, $sampling:expr, $instructions:expr, $normal:ty, $tangential:ty) => {
-        match ($laws.rolling, $laws.twisting) {
-            (TurningLaw::None, TurningLaw::None) => {
-                let turnings = Fixed::<FreeTurning, FreeTurning>::default();
-                compose::forces::<$normal, $tangential, _>(
-                    $batch,
-                    $count,
-                    turnings,
-                    $sampling,
-                    $instructions,
-                )
-            }
-            (TurningLaw::ConstantTorque, TurningLaw::None) => {
-                let turnings = Fixed::<ConstantTorque, FreeTurning>::default();
-                compose::forces::<$normal, $tangential, _>(
-                    $batch,
-                    $count,
-                    turnings,
-                    $sampling,
-                    $instructions,
-                )
-            }
-            (TurningLaw::SpringDashpot, TurningLaw::None) => {
-                let turnings = Fixed::<SpringDashpot, FreeTurning>::default();
-                compose::forces::<$normal, $tangential, _>(
-                    $batch,
-                    $count,
-                    turnings,
-                    $sampling,
-                    $instructions,
-                )
-            }
-            _ => $laws.forces_of_any($batch, $count, $sampling),
+            TangentialLaw::None => $run!(NoFriction),
+            TangentialLaw::Coulomb => $run!(Coulomb),
+            TangentialLaw::Mindlin => $run!(Mindlin),
+            TangentialLaw::PartialSlip => $run!(PartialSlip),
         }
     };
 }
@@ -199,15 +122,12 @@ impl ContactLaws {
                 )
             };
         }
-        match self.tangential {
-            TangentialLaw::None => force!(NoFriction),
-            TangentialLaw::Coulomb => force!(Coulomb),
-            TangentialLaw::Mindlin => force!(Mindlin),
-            TangentialLaw::PartialSlip => force!(PartialSlip),
-        }
+        with_tangential!(self, force)
     }
 
     /// Forces of the first `count` contacts of a batch over one step: the same bits as one by one.
+    ///
+    /// Laws whose functions branch have nothing of vector instructions; they are compiled for the baseline alone.
     pub fn forces(
         &self,
         batch: &mut Batch,
@@ -215,11 +135,43 @@ impl ContactLaws {
         sampling: &Sampling,
         instructions: InstructionSet,
     ) {
-        forces_of!(self, batch, count, sampling, instructions);
+        // The choice is made out here, so that the loop over the lanes holds no branch.
+        macro_rules! of {
+            ($normal:ty, $tangential:ty, $rolling:ty) => {{
+                let turnings = Fixed::<$rolling, FreeTurning>::default();
+                compose::forces::<$normal, $tangential, _>(
+                    batch,
+                    count,
+                    turnings,
+                    sampling,
+                    instructions,
+                );
+            }};
+        }
+        macro_rules! rolling {
+            ($normal:ty, $tangential:ty) => {
+                match self.rolling {
+                    TurningLaw::None => of!($normal, $tangential, FreeTurning),
+                    TurningLaw::ConstantTorque => of!($normal, $tangential, ConstantTorque),
+                    TurningLaw::SpringDashpot => self.branching_forces(batch, count, sampling),
+                }
+            };
+        }
+        if self.twisting != TurningLaw::None {
+            return self.branching_forces(batch, count, sampling);
+        }
+        match (self.normal, self.tangential) {
+            (NormalLaw::Hertz, TangentialLaw::None) => rolling!(Hertz, NoFriction),
+            (NormalLaw::Hertz, TangentialLaw::Coulomb) => rolling!(Hertz, Coulomb),
+            (NormalLaw::Hertz, TangentialLaw::Mindlin) => rolling!(Hertz, Mindlin),
+            (NormalLaw::Linear, TangentialLaw::None) => rolling!(Linear, NoFriction),
+            (NormalLaw::Linear, TangentialLaw::Coulomb) => rolling!(Linear, Coulomb),
+            (NormalLaw::Linear, TangentialLaw::Mindlin) => rolling!(Linear, Mindlin),
+            _ => self.branching_forces(batch, count, sampling),
+        }
     }
 
-    /// The same by laws that may branch.
-    fn forces_of_any(self, batch: &mut Batch, count: usize, sampling: &Sampling) {
+    fn branching_forces(self, batch: &mut Batch, count: usize, sampling: &Sampling) {
         let turning = self.chosen();
         let baseline = InstructionSet::Baseline;
         macro_rules! forces {
@@ -230,12 +182,7 @@ impl ContactLaws {
                 )
             };
         }
-        match self.tangential {
-            TangentialLaw::None => forces!(NoFriction),
-            TangentialLaw::Coulomb => forces!(Coulomb),
-            TangentialLaw::Mindlin => forces!(Mindlin),
-            TangentialLaw::PartialSlip => forces!(PartialSlip),
-        }
+        with_tangential!(self, forces);
     }
 
     fn chosen(self) -> Chosen {
