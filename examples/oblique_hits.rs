@@ -96,6 +96,7 @@ fn setup(law: TangentialLaw, angle: f64) -> Setup {
         limits: Limits::default(),
         skips: Skips::default(),
         instructions: None,
+        hits: None,
     }
 }
 

@@ -104,6 +104,7 @@ pub(crate) fn silo(pellets: usize, radius: f64) -> Setup {
         limits: Limits::default(),
         skips: Skips::default(),
         instructions: None,
+        hits: None,
     }
 }
 

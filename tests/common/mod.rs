@@ -66,6 +66,7 @@ pub(crate) fn setup(pellets: PairProperties, walls: PairProperties) -> Setup {
         limits: Limits::default(),
         skips: Skips::default(),
         instructions: None,
+        hits: None,
     }
 }
 

@@ -5,6 +5,7 @@
 
 pub mod books;
 pub mod error;
+pub mod hit;
 pub mod integrator;
 pub mod ledger;
 
@@ -47,6 +48,7 @@ mod validate;
 mod wall_contacts;
 
 pub use error::{SetupError, StepError};
+pub use hit::{Cause, Hit, HitClass, HitClassKey, HitLedger, HitPartner, HitRequest};
 pub use integrator::Integrator;
 pub use ledger::{ContactStatistics, EnergyLedger, MassLedger, PelletTally};
 pub use meter::{

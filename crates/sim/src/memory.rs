@@ -4,6 +4,8 @@
     reason = "what is not inlined is not compiled for the instruction set"
 )]
 
+use crate::hit::Trace;
+use crate::model::Model;
 use crate::state::Row;
 use pelletflow_core::contact::Batch;
 use pelletflow_core::{ContactHistory, ContactLaws, Vec3};
@@ -30,6 +32,8 @@ pub struct ContactMemories {
     /// What else the laws of the scene need, as many numbers for each contact [units of
     /// [`ContactHistory`]].
     pub extra: Vec<f64>,
+    /// What every contact has done, where hits are followed; else empty.
+    pub traces: Vec<Trace>,
 }
 
 impl ContactMemory {
@@ -75,10 +79,12 @@ fn rounded(force: f64) -> f32 {
 
 impl ContactMemories {
     /// As many contacts that have not begun.
-    pub(crate) fn new(count: usize, laws: ContactLaws) -> Self {
+    pub(crate) fn new(count: usize, model: &Model) -> Self {
+        let traces = if model.follows_hits() { count } else { 0 };
         Self {
             rows: vec![ContactMemory::default(); count],
-            extra: vec![0.0; count * laws.extra_numbers()],
+            extra: vec![0.0; count * model.laws().extra_numbers()],
+            traces: vec![Trace::default(); traces],
         }
     }
 
@@ -98,19 +104,17 @@ impl ContactMemories {
         batch.set_history(lane, row.tangential_stretch, force, extra);
     }
 
-    /// Remembers a contact one step later, or forgets one that is over; gives the steps that such a one lasted.
+    /// Remembers a contact one step later, and tells whether it goes on; one that does not is still to be ended.
     #[inline(always)]
-    pub(crate) fn step(&mut self, slot: usize, batch: &Batch, lane: usize) -> Option<u32> {
+    pub(crate) fn step(&mut self, slot: usize, batch: &Batch, lane: usize) -> bool {
         let next = batch.next_memory(lane);
         if next[3] == 0.0 {
-            let steps = self.rows[slot].steps;
-            self.forget(slot);
-            return Some(steps);
+            return false;
         }
         self.rows[slot] = self.rows[slot].stepped(next);
         let extra = self.extra_of(slot);
         batch.next_extra(lane, &mut self.extra[extra]);
-        None
+        true
     }
 
     /// Whether a contact is open.
@@ -118,11 +122,12 @@ impl ContactMemories {
         self.rows[slot].steps > 0
     }
 
-    /// Forgets a contact that is over.
-    pub(crate) fn forget(&mut self, slot: usize) {
-        self.rows[slot] = ContactMemory::default();
+    /// Forgets a contact that is over; gives the steps that it lasted and, where hits are followed, what it did.
+    pub(crate) fn end(&mut self, slot: usize) -> (u32, Option<Trace>) {
+        let steps = std::mem::take(&mut self.rows[slot]).steps;
         let extra = self.extra_of(slot);
         self.extra[extra].fill(0.0);
+        (steps, self.traces.get_mut(slot).map(std::mem::take))
     }
 
     /// Carries on a contact of another list, as its partner remembers it where `side` says so.
@@ -138,6 +143,9 @@ impl ContactMemories {
         // What has not begun is empty here as it is there.
         if memory.steps == 0 {
             return;
+        }
+        if !self.traces.is_empty() {
+            self.traces[slot] = other.traces[from];
         }
         let extra = self.extra_of(slot);
         match side {

@@ -180,6 +180,12 @@ impl Model {
         self.derived.watched_walls[wall]
     }
 
+    /// Whether every contact is followed from first touch to release.
+    #[inline]
+    pub(crate) fn follows_hits(&self) -> bool {
+        self.setup.hits.is_some()
+    }
+
     /// The box, where the domain is periodic along some axis.
     #[inline]
     pub(crate) fn periodic(&self) -> Option<PeriodicBox> {

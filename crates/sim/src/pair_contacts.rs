@@ -7,6 +7,7 @@
     reason = "what is not inlined is not compiled for the instruction set"
 )]
 
+use crate::hit;
 use crate::memory::ContactMemory;
 use crate::share::Share;
 use crate::state::{ChunkContacts, State};
@@ -144,16 +145,19 @@ fn end_contacts(share: &mut Share, last: &[Touch], touches: &[Touch]) {
     for touch in last {
         while present.next_if(|now| now.slot < touch.slot).is_some() {}
         if present.next_if_eq(&touch).is_none() {
-            let slot = touch.slot as usize;
-            let steps = share.contacts.pellet.rows[slot].steps;
-            if steps > 0 {
-                let (a, b) = ends(share, *touch);
-                if is_counted(&share.range, a, b) {
-                    share.scratch.tally.finish(steps);
-                }
-                share.contacts.pellet.forget(slot);
-            }
+            end(share, *touch);
         }
+    }
+}
+
+/// Ends the contact of a pair, if it was open.
+#[cold]
+#[inline(never)]
+fn end(share: &mut Share, touch: Touch) {
+    let ended = share.contacts.pellet.end(touch.slot as usize);
+    let (a, b) = ends(share, touch);
+    if ended.0 > 0 && is_counted(&share.range, a, b) {
+        share.finish(a, Partner::Pellet(b), ended);
     }
 }
 
@@ -166,7 +170,7 @@ fn ends(share: &Share, touch: Touch) -> (usize, usize) {
 
 /// Whether a chunk enters a pair into its books: of two chunks that share one, that of the first pellet does.
 #[inline(always)]
-fn is_counted(range: &Range<usize>, a: usize, b: usize) -> bool {
+pub(crate) fn is_counted(range: &Range<usize>, a: usize, b: usize) -> bool {
     b > a || range.contains(&b)
 }
 
@@ -184,14 +188,13 @@ fn add_batch(
     batch.meet(touches.len(), instructions);
     let laws = model.laws();
     laws.forces(batch, touches.len(), sampling, instructions);
+    if model.follows_hits() {
+        follow_all(share, batch, touches);
+    }
     for (lane, touch) in touches.iter().enumerate() {
         let memories = &mut share.contacts.pellet;
-        let over = memories.step(touch.slot as usize, batch, lane);
-        if let Some(steps) = over.filter(|&steps| steps > 0) {
-            let (a, b) = ends(share, *touch);
-            if is_counted(&share.range, a, b) {
-                share.scratch.tally.finish(steps);
-            }
+        if !memories.step(touch.slot as usize, batch, lane) {
+            end(share, *touch);
         }
     }
     add_loads(share, batch, touches);
@@ -205,6 +208,26 @@ fn add_batch(
         for (lane, touch) in touches.iter().enumerate() {
             look_closely(share, batch, lane, *touch);
         }
+    }
+}
+
+/// Follows the contacts of a batch one step on.
+#[inline(always)]
+fn follow_all(share: &mut Share, batch: &Batch, touches: &[Touch]) {
+    let (model, pellets) = (share.model, share.pellets);
+    for (lane, touch) in touches.iter().enumerate() {
+        let (a, b) = ends(share, *touch);
+        let pair = model.pair_of_kinds(pellets.kind[a], pellets.kind[b]);
+        let memories = &mut share.contacts.pellet;
+        let center = &pellets.position[a];
+        hit::follow(
+            model,
+            memories,
+            touch.slot as usize,
+            (batch, lane),
+            center,
+            pair,
+        );
     }
 }
 

@@ -1,5 +1,6 @@
 //! What a user asks for, in SI units and with names resolved to indices.
 
+use crate::hit::HitRequest;
 use crate::integrator::Integrator;
 use crate::meter::Meter;
 use crate::pellet::PelletKind;
@@ -44,6 +45,8 @@ pub struct Setup {
     pub search: NeighborSearch,
     /// Extra reach of a neighbor list [m]; chosen from the pellets where none is given.
     pub skin: Option<f64>,
+    /// What is kept of the hits; none are followed where there is nothing.
+    pub hits: Option<HitRequest>,
     /// When a run counts as failed.
     pub limits: Limits,
     /// Work that may be left out.

@@ -1,9 +1,11 @@
 //! One chunk's share of a step: what it reads, and what only it writes.
 
 use crate::chunk;
+use crate::hit::{Ended, Trace};
 use crate::model::Model;
 use crate::profile::{self, Profile, Stage};
 use crate::state::{ChunkContacts, Row, State};
+use crate::tally::Partner;
 use crate::wall::WallNow;
 use crate::workspace::{ChunkList, ChunkScratch, Load, Workspace};
 use std::ops::Range;
@@ -46,6 +48,22 @@ impl Share<'_> {
         let start = self.scratch.clock.now();
         run(self);
         self.scratch.clock.enter(stage, start);
+    }
+
+    /// Enters the end of a contact of a pellet, by index, that was open for some steps.
+    pub(crate) fn finish(
+        &mut self,
+        pellet: usize,
+        partner: Partner,
+        (steps, trace): (u32, Option<Trace>),
+    ) {
+        self.scratch.tally.finish(steps);
+        self.scratch.ended.extend(trace.map(|trace| Ended {
+            pellet,
+            partner,
+            steps,
+            trace,
+        }));
     }
 
     /// Time at the start of the step [s].
@@ -116,6 +134,7 @@ pub(crate) fn each_chunk(
     chunk::for_each(workspace.is_parallel, shares, |mut share| {
         let scratch = &mut *share.scratch;
         scratch.tally.begin(walls.len(), so_far);
+        scratch.ended.clear();
         scratch.clock.begin(step);
         scratch.loads.clear();
         scratch.loads.resize(share.range.len() + 1, Load::default());

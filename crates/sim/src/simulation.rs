@@ -4,6 +4,7 @@ use crate::books::Books;
 use crate::error::{SetupError, StepError};
 use crate::fill;
 use crate::hash;
+use crate::hit::{self, Hit, HitLedger};
 use crate::inlet;
 use crate::ledger::{ContactStatistics, EnergyLedger, MassLedger, PelletTally};
 use crate::meter::{self, MeterReading, PatchTable};
@@ -215,6 +216,18 @@ impl Simulation {
     /// What contacts have done.
     pub fn contact_statistics(&self) -> ContactStatistics {
         self.state.books.contacts
+    }
+
+    /// Takes the hits kept in full that have ended since the last call, in the order in which they did.
+    ///
+    /// Whoever follows hits takes them now and then: until then they are held in memory.
+    pub fn take_hits(&mut self) -> Vec<Hit> {
+        self.state.hits.take_rows()
+    }
+
+    /// The sketch of all hits, those still open told as if they ended now; rows of these alone.
+    pub fn hits_with_open(&self) -> HitLedger {
+        hit::open(&self.model, &self.state, &self.workspace.lists)
     }
 
     /// What the meters read, in the order of the setup.

@@ -1,6 +1,7 @@
 //! All that a restart needs.
 
 use crate::books::Books;
+use crate::hit::HitLedger;
 use crate::memory::ContactMemories;
 use crate::meter::Record;
 use crate::model::Model;
@@ -39,6 +40,8 @@ pub struct State {
     pub steps_since_search: u64,
     /// Mass, energy and contacts so far.
     pub books: Books,
+    /// All hits so far.
+    pub hits: HitLedger,
     /// What each meter has gathered, in the order of the setup.
     pub(crate) meters: Vec<Record>,
 }
@@ -62,6 +65,8 @@ pub struct Pellets {
     pub half_step_spin: Vec<Row>,
     /// Step before which it came [-].
     pub born: Vec<u64>,
+    /// Greatest force of a hit that has ended [N].
+    pub hardest_hit: Vec<f64>,
 }
 
 /// What the contacts of one chunk remember.
@@ -116,6 +121,7 @@ impl Pellets {
         self.half_step_spin
             .push(row(new.spin, 0.4 * new.mass * new.radius.powi(2)));
         self.born.push(step);
+        self.hardest_hit.push(0.0);
     }
 
     /// Exchanges the rows that a step of a model moves with those of the next instant.
@@ -141,6 +147,7 @@ impl Pellets {
         select(&mut self.half_step_velocity, order);
         select(&mut self.half_step_spin, order);
         select(&mut self.born, order);
+        select(&mut self.hardest_hit, order);
     }
 }
 

@@ -5,6 +5,7 @@ use crate::error::StepError;
 use crate::exchange::exchange;
 use crate::free_flight;
 use crate::health;
+use crate::hit;
 use crate::inlet;
 use crate::meter;
 use crate::model::Model;
@@ -50,6 +51,7 @@ fn stages(
     // Neighbors, if a pellet may have come near a new one; then pellets also come and go.
     if neighbors::is_search_due(model, state) || inlet::is_any_due(model, state) {
         let kept = profile.time(Stage::Exchange, || exchange(model, state, &workspace.walls))?;
+        hit::end_leaving(model, state, workspace, &kept);
         profile.time(Stage::Search, || {
             neighbors::search(model, state, workspace, &kept);
             pair_contacts::note_lists(state, workspace);
@@ -72,7 +74,8 @@ fn stages(
     health::check_overlap(model, state, &workspace.tally)?;
     health::check_finite(model, state, workspace)?;
 
-    // Bodies move, meters watch and the books are kept.
+    // Contacts that ended become hits, bodies move, meters watch and the books are kept.
+    hit::enter(model, state, workspace);
     state.pellets.exchange_rows(model, &mut workspace.next);
     profile.sample(state.step, Stage::Meters, || {
         meter::watch(

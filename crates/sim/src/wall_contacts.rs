@@ -1,5 +1,6 @@
 //! Contacts between pellets and walls.
 
+use crate::hit;
 use crate::meter::WallTouch;
 use crate::pair_contacts::add_load;
 use crate::share::Share;
@@ -111,12 +112,16 @@ fn touch_wall(
         }
     }
     for (slot, is_free) in places.zip(is_free) {
-        let steps = share.contacts.wall.rows[slot].steps;
-        if is_free && steps > 0 {
-            share.scratch.tally.finish(steps);
-            share.contacts.wall.forget(slot);
+        if is_free && share.contacts.wall.is_open(slot) {
+            end(share, local, wall, slot);
         }
     }
+}
+
+/// Ends the contact of a pellet of the chunk with a wall.
+fn end(share: &mut Share, local: usize, wall: usize, slot: usize) {
+    let ended = share.contacts.wall.end(slot);
+    share.finish(share.range.start + local, Partner::Wall(wall), ended);
 }
 
 /// Which of the places remembers a contact: the one that was there in the last step, or else one without a memory.
@@ -228,11 +233,17 @@ fn work_out(share: &mut Share, waiting: &mut Waiting) {
     for (lane, found) in found[..*count].iter().enumerate() {
         let memories = &mut share.contacts.wall;
         let was_open = memories.is_open(found.slot);
-        let over = memories.step(found.slot, batch, lane);
-        if let Some(steps) = over.filter(|_| was_open) {
-            share.scratch.tally.finish(steps);
+        if model.follows_hits() {
+            let a = share.range.start + found.local;
+            let pair = model.pair_with_wall(share.pellets.kind[a], found.wall);
+            let center = &share.pellets.position[a];
+            hit::follow(model, memories, found.slot, (batch, lane), center, pair);
         }
-        let is_first = over.is_none() && !was_open;
+        let goes_on = memories.step(found.slot, batch, lane);
+        if was_open && !goes_on {
+            end(share, found.local, found.wall, found.slot);
+        }
+        let is_first = goes_on && !was_open;
         add_load(
             &mut share.scratch.loads[found.local],
             &batch.force(lane),

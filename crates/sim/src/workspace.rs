@@ -1,6 +1,7 @@
 //! Scratch: deleting it changes no answer.
 
 use crate::chunk;
+use crate::hit::Ended;
 use crate::profile::{ChunkClock, Profile};
 use crate::state::Row;
 use crate::tally::Tally;
@@ -55,6 +56,8 @@ pub(crate) struct ChunkScratch {
     pub(crate) loads: Vec<Load>,
     /// What the chunk did in this step.
     pub(crate) tally: Tally,
+    /// Contacts that ended in this step.
+    pub(crate) ended: Vec<Ended>,
     /// Time of its stages.
     pub(crate) clock: ChunkClock,
 }

@@ -204,7 +204,7 @@ pub(super) fn forces<N: Normal, T: Tangential, W: Turnings>(
     });
 }
 
-/// Greatest force or overlap within a step of a sample; that of the sample where the top is farther away.
+/// Greatest force or overlap within two steps of a sample; that of the sample where the top is farther away.
 pub(super) fn peak_near<N: Normal>(
     quantity: Quantity,
     contact: &Contact,
@@ -279,6 +279,7 @@ fn composed<T: Tangential, W: Turnings>(
     ContactForce {
         normal: law.force,
         force: applied.force * contact.normal + sliding.force,
+        tangential: sliding.force.norm(),
         turning_torque: rolling.force + twisting.force,
         elastic_energy: law.elastic_energy,
         dissipation: applied.dissipation + applied.spring_heat * sampling.rate(),

@@ -192,7 +192,7 @@ impl ContactLaws {
         }
     }
 
-    /// Greatest normal force within a step of a sample [N]; that of the sample where the top is farther away.
+    /// Greatest normal force within two steps of a sample [N]; that of the sample where the top is farther away.
     pub fn peak_force_near(
         &self,
         contact: &Contact,
@@ -204,7 +204,7 @@ impl ContactLaws {
         with_normal!(self, peak_near[](quantity, contact, pair, history, sampling))
     }
 
-    /// Greatest overlap within a step of a sample [m]; that of the sample where the top is farther away.
+    /// Greatest overlap within two steps of a sample [m]; that of the sample where the top is farther away.
     pub fn peak_overlap_near(
         &self,
         contact: &Contact,

@@ -72,6 +72,8 @@ pub struct ContactForce {
     pub normal: f64,
     /// Force on A, normal and tangential together [N].
     pub force: Vec3,
+    /// Size of its tangential part [N].
+    pub tangential: f64,
     /// Torque on A against rolling and twisting, beside the moment of the force; B receives the negative [N·m].
     pub turning_torque: Vec3,
     /// Energy stored in the normal spring [J].

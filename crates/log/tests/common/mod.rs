@@ -99,6 +99,7 @@ pub(crate) fn setup(pellets: usize) -> Setup {
         },
         skips: Skips::default(),
         instructions: None,
+        hits: None,
     }
 }
 

@@ -118,6 +118,7 @@ fn scene(meters: Vec<MeterKind>) -> Setup {
         limits: Limits::default(),
         skips: Skips::default(),
         instructions: None,
+        hits: None,
     }
 }
 

@@ -1,6 +1,7 @@
 //! What contacts remember, carried from the old lists to the new.
 
 use crate::memory::{ContactMemories, Side};
+use crate::model::Model;
 use crate::state::ChunkContacts;
 use crate::workspace::ChunkList;
 use pelletflow_core::{ContactLaws, Vec3};
@@ -28,14 +29,15 @@ impl OldContacts<'_> {
     /// The memories of a new list of a chunk; `order` names the old index of each new one.
     pub(super) fn carry(
         &self,
-        laws: ContactLaws,
+        model: &Model,
         list: &ChunkList,
         order: &[u32],
         range: &Range<usize>,
     ) -> ChunkContacts {
+        let laws = model.laws();
         let mut contacts = ChunkContacts {
-            pellet: ContactMemories::new(list.partners.len(), laws),
-            wall: ContactMemories::new(list.near_walls.len(), laws),
+            pellet: ContactMemories::new(list.partners.len(), model),
+            wall: ContactMemories::new(list.near_walls.len(), model),
             wall_normals: vec![Vec3::zeros(); list.near_walls.len()],
         };
         for (index, ends) in range.clone().zip(list.offsets.windows(2)) {

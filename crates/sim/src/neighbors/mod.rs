@@ -60,7 +60,7 @@ pub(crate) fn search(model: &Model, state: &mut State, workspace: &mut Workspace
         |range| {
             let mut list = list_partners(&search, &range);
             walls.list(positions, &range, &mut list);
-            let contacts = old.carry(model.laws(), &list, &order, &range);
+            let contacts = old.carry(model, &list, &order, &range);
             (list, contacts)
         },
     );

@@ -56,7 +56,8 @@ pub struct Batch {
     /// Force on the first body and normal force.
     force: Lanes4,
     torques: [Lanes3; 2],
-    scalar: Lanes4,
+    /// Elastic energy, dissipation, shear energy, shear power and the size of the tangential force.
+    scalar: [Lanes; 5],
 }
 
 impl Batch {
@@ -87,7 +88,7 @@ impl Batch {
             is_edge: zeros,
             force: [zeros; 4],
             torques: [[zeros; 3]; 2],
-            scalar: [zeros; 4],
+            scalar: [zeros; 5],
         }
     }
 }
@@ -273,6 +274,7 @@ impl Batch {
         self.scalar[1][lane] = force.dissipation;
         self.scalar[2][lane] = force.shear_energy;
         self.scalar[3][lane] = force.shear_power;
+        self.scalar[4][lane] = force.tangential;
     }
 
     /// Force on the first body in a lane, and the normal force [N]; the second body receives the negative.
@@ -296,6 +298,32 @@ impl Batch {
         self.force[3][lane]
     }
 
+    /// Normal and tangential force that stand for the step [N], and the power that the contact takes from motion beside
+    /// what its normal spring stores [W].
+    #[inline(always)]
+    pub fn exertion(&self, lane: usize) -> [f64; 3] {
+        let power = self.scalar[1][lane] + self.scalar[3][lane];
+        [self.reached[3][lane], self.scalar[4][lane], power]
+    }
+
+    /// Normal [-] and effective radius [m] of the contact in a lane.
+    #[inline(always)]
+    pub fn lie(&self, lane: usize) -> (Vec3, f64) {
+        (vector(&self.normal, lane), self.effective_radius[lane])
+    }
+
+    /// Energy stored in the normal spring in a lane [J].
+    #[inline]
+    pub fn elastic_energy(&self, lane: usize) -> f64 {
+        self.scalar[0][lane]
+    }
+
+    /// Distance from the center of the first body in a lane to the contact [m].
+    #[inline]
+    pub fn arm(&self, lane: usize) -> f64 {
+        self.arms[0][lane]
+    }
+
     /// Overlap in a lane [m].
     #[inline]
     pub fn overlap(&self, lane: usize) -> f64 {
@@ -312,6 +340,7 @@ impl Batch {
         ContactForce {
             normal,
             force,
+            tangential: self.scalar[4][lane],
             turning_torque: vector(&self.torques[0], lane) - moment,
             elastic_energy: self.scalar[0][lane],
             dissipation: self.scalar[1][lane],

@@ -80,6 +80,7 @@ fn setup() -> Setup {
         limits: Limits::default(),
         skips: Skips::default(),
         instructions: None,
+        hits: None,
     }
 }
 

@@ -1,0 +1,144 @@
+//! The ledger of all hits: exact counts and sums of all, rows of those that matter.
+
+use super::{Hit, HitPartner};
+use std::collections::BTreeMap;
+
+/// What is kept of the hits of a run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HitRequest {
+    /// Greatest force from which on every hit is kept in full [N]; infinite where only those are that no earlier hit of
+    /// one of their pellets reached.
+    pub threshold: f64,
+}
+
+/// Classes of force per doubling [-].
+const CLASSES_PER_OCTAVE: f64 = 8.0;
+
+/// Hits with one partner and of nearly the same force.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct HitClassKey {
+    /// Index of the wall; none where the partner is a pellet.
+    pub wall: Option<usize>,
+    /// Number of the class of force [-].
+    pub force_class: i32,
+}
+
+/// What the hits of one class did together.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct HitClass {
+    /// How many [-].
+    pub count: u64,
+    /// How many of them are kept in full [-].
+    pub kept: u64,
+    /// Sum of their normal impulses [N·s].
+    pub normal_impulse: f64,
+    /// Sum of their tangential impulses [N·s].
+    pub tangential_impulse: f64,
+    /// Energy that they took from motion [J].
+    pub lost_energy: f64,
+    /// Energy of their approaches along the normal [J].
+    pub approach_energy: f64,
+}
+
+/// All hits so far: a sketch of all of them, and rows of those that matter.
+///
+/// A row is kept of a hit that reaches the threshold, and of one that is harder than every hit before it of one of its
+/// pellets: what decides whether a pellet of any strength breaks. A pellet makes about as many of these as the
+/// logarithm of its hits, so that memory is bounded.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct HitLedger {
+    classes: BTreeMap<HitClassKey, HitClass>,
+    rows: Vec<Hit>,
+}
+
+impl HitClassKey {
+    fn new(hit: &Hit) -> Self {
+        let wall = match hit.partner {
+            HitPartner::Pellet { .. } => None,
+            HitPartner::Wall(wall) => Some(wall),
+        };
+        // A hit without force, as of two that graze each other, goes to the class of the least force there is.
+        let force = hit.peak_force.max(f64::MIN_POSITIVE);
+        Self {
+            wall,
+            force_class: (CLASSES_PER_OCTAVE * force.log2()).floor() as i32,
+        }
+    }
+
+    /// Bounds of the greatest force of the class, the upper one outside [N].
+    pub fn forces(self) -> [f64; 2] {
+        [self.force_class, self.force_class + 1]
+            .map(|class| (f64::from(class) / CLASSES_PER_OCTAVE).exp2())
+    }
+}
+
+impl HitClass {
+    /// Adds what other hits did.
+    pub fn add(&mut self, other: &Self) {
+        self.count += other.count;
+        self.kept += other.kept;
+        self.normal_impulse += other.normal_impulse;
+        self.tangential_impulse += other.tangential_impulse;
+        self.lost_energy += other.lost_energy;
+        self.approach_energy += other.approach_energy;
+    }
+}
+
+impl HitLedger {
+    /// Enters a hit, in full where `is_kept`.
+    pub(super) fn enter(&mut self, hit: Hit, is_kept: IsKept) {
+        let class = HitClass {
+            count: 1,
+            kept: u64::from(is_kept == IsKept::InFull),
+            normal_impulse: hit.normal_impulse,
+            tangential_impulse: hit.tangential_impulse,
+            lost_energy: hit.lost_energy,
+            approach_energy: hit.approach_energy(),
+        };
+        self.classes
+            .entry(HitClassKey::new(&hit))
+            .or_default()
+            .add(&class);
+        if is_kept == IsKept::InFull {
+            self.rows.push(hit);
+        }
+    }
+
+    /// The sketch of all hits, by partner and force.
+    pub fn classes(&self) -> &BTreeMap<HitClassKey, HitClass> {
+        &self.classes
+    }
+
+    /// All hits together.
+    pub fn total(&self) -> HitClass {
+        self.classes
+            .values()
+            .fold(HitClass::default(), |mut sum, class| {
+                sum.add(class);
+                sum
+            })
+    }
+
+    /// The hits kept in full that nobody has taken yet, in the order in which they ended.
+    pub fn rows(&self) -> &[Hit] {
+        &self.rows
+    }
+
+    /// Marks all rows as those of contacts still open.
+    pub(super) fn mark_open(&mut self) {
+        for hit in &mut self.rows {
+            hit.is_open = true;
+        }
+    }
+
+    pub(crate) fn take_rows(&mut self) -> Vec<Hit> {
+        std::mem::take(&mut self.rows)
+    }
+}
+
+/// Whether a hit is kept in full.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum IsKept {
+    InFull,
+    InSums,
+}

@@ -1,0 +1,435 @@
+//! The ledger of hits: what it says of one hit, of a flow, and of all together.
+
+mod common;
+
+use common::{GRAVITY, RADIUS, floor, one, setup, simulation, simulation_on, smooth, wall};
+use pelletflow::core::contact::batch::SpherePair;
+use pelletflow::core::contact::{Batch, Sampling, curvature};
+use pelletflow::core::{
+    Contact, ContactHistory, InstructionSet, MaterialPair, PairProperties, Shape, Vec3,
+};
+use pelletflow::impact::{Damping, ElasticImpact, Impact};
+use pelletflow::sim::{
+    Cause, Fill, FillAmount, Hit, HitPartner, HitRequest, NeighborSearch, Outlet, Seats, Setup,
+    Simulation,
+};
+use std::collections::BTreeMap;
+
+/// Every hit in full.
+const ALL: Option<HitRequest> = Some(HitRequest { threshold: 0.0 });
+/// Of every pellet only those hits that no earlier one reached.
+const RECORDS: Option<HitRequest> = Some(HitRequest {
+    threshold: f64::INFINITY,
+});
+
+/// A pellet that meets the floor, or its like, at a speed [m/s].
+fn hit_alone(restitution: f64, speed: f64, against: Against, phase: f64) -> (Hit, Impact) {
+    let mut setup = setup(smooth(restitution), smooth(restitution));
+    setup.hits = ALL;
+    let materials = &setup.materials;
+    let mass = setup.mass(0, RADIUS);
+    let other = match against {
+        Against::Floor => common::STEEL,
+        Against::Pellet => common::ORE,
+    };
+    let pair = MaterialPair::new(
+        &materials[common::ORE].material,
+        &materials[other].material,
+        &smooth(restitution),
+    );
+    let exact = match against {
+        Against::Floor => ElasticImpact::on_plane(&pair, RADIUS, mass, speed),
+        Against::Pellet => ElasticImpact::of_equals(&pair, RADIUS, mass, speed),
+    };
+    // Some steps before first touch, and a part of one.
+    let gap = speed * exact.contact_time() * (1.0 + phase / 12.0);
+    match against {
+        Against::Floor => {
+            setup.walls = vec![wall("floor", floor(0.0))];
+            let height = Vec3::new(0.0, 0.0, RADIUS + gap);
+            setup.fills = vec![one("drop", height, Vec3::new(0.0, 0.0, -speed))];
+        }
+        Against::Pellet => {
+            let half = Vec3::new(RADIUS + 0.5 * gap, 0.0, 0.0);
+            let velocity = Vec3::new(0.5 * speed, 0.0, 0.0);
+            setup.fills = vec![one("left", -half, velocity), one("right", half, -velocity)];
+        }
+    }
+    let mut simulation = simulation(setup);
+    let mut hits = Vec::new();
+    while hits.is_empty() {
+        simulation.step().expect("one hit is no trouble");
+        hits = simulation.take_hits();
+    }
+    let impact = Impact::new(&exact, Damping::Restitution(restitution), None);
+    (hits[0], impact.expect("a hit with an end"))
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Against {
+    Floor,
+    Pellet,
+}
+
+#[test]
+fn a_hit_alone_is_that_of_the_solver_of_impacts() {
+    for against in [Against::Floor, Against::Pellet] {
+        for restitution in [1.0, 0.8, 0.5] {
+            for speed in [0.5, 2.0, 5.0] {
+                for phase in [0.0, 0.35, 0.7] {
+                    let (hit, exact) = hit_alone(restitution, speed, against, phase);
+                    let which = format!("{against:?}, e {restitution}, {speed} m/s, {phase}");
+                    let share = |found: f64, exact: f64| (found / exact - 1.0).abs();
+                    // The step is chosen for 0.1 % of the peak force.
+                    let error = share(hit.peak_force, exact.peak_force);
+                    assert!(error < 1.0e-3, "{which}: peak {error:.5}");
+                    // The rebound of a damped hit is met within 0.3 % at a dozen steps.
+                    let error = share(hit.normal_impulse, exact.impulse);
+                    assert!(error < 2.0e-3, "{which}: impulse {error:.5}");
+                    let error = share(hit.peak_pressure, exact.peak_pressure);
+                    assert!(error < 1.0e-3, "{which}: pressure {error:.5}");
+                    assert!(share(hit.approach_speed, speed) < 1.0e-6, "{which}");
+                    let brought = hit.approach_energy();
+                    let lost = brought * (1.0 - restitution.powi(2));
+                    let error = (hit.lost_energy - lost).abs() / brought;
+                    // Heat is the sum of a dozen samples, of which the last is not located.
+                    assert!(error < 1.0e-2, "{which}: lost {error:.5}");
+                    let step = hit.duration / hit.steps as f64;
+                    // Damped bodies still overlap when their force is gone.
+                    let longer = (hit.duration - exact.contact_time) / step;
+                    let most = if restitution == 1.0 { 1.01 } else { 6.0 };
+                    assert!((-1.01..most).contains(&longer), "{which}: {longer} steps");
+                    let is_wall = against == Against::Floor;
+                    let cause = if is_wall {
+                        Cause::Drop
+                    } else {
+                        Cause::Collision
+                    };
+                    assert_eq!(hit.cause, cause, "{which}");
+                }
+            }
+        }
+    }
+}
+
+/// Pellets that fall on a floor and lie there, and an outlet beside it for those that roll away.
+fn heap(hits: Option<HitRequest>) -> Setup {
+    let rough = PairProperties {
+        restitution: 0.5,
+        friction: 0.5,
+        rolling_friction: 0.05,
+        ..PairProperties::ELASTIC
+    };
+    let mut setup = setup(rough, rough);
+    setup.hits = hits;
+    setup.gravity = GRAVITY;
+    setup.walls = vec![wall("floor", floor(0.0))];
+    setup.fills = vec![Fill {
+        name: "pile".into(),
+        pellets: 0,
+        seats: Seats::Lattice {
+            region: Shape::Cuboid {
+                half_sides: Vec3::new(0.04, 0.04, 0.06),
+            }
+            .translated(Vec3::new(0.0, 0.0, 0.09)),
+            amount: FillAmount::Count(90),
+        },
+        velocity: Vec3::new(0.4, 0.0, -1.0),
+        spin: Vec3::zeros(),
+    }];
+    setup.outlets = vec![Outlet {
+        name: "side".into(),
+        region: Shape::HalfSpace {
+            point: Vec3::new(0.2, 0.0, 0.0),
+            normal: -Vec3::x_axis(),
+        },
+    }];
+    setup
+}
+
+fn run(setup: Setup, threads: usize, stride: u64) -> (Vec<Hit>, Simulation) {
+    let mut simulation = simulation_on(setup, threads);
+    let mut hits = Vec::new();
+    while simulation.step_count() < 14_000 {
+        simulation.advance(stride).expect("the scene is sound");
+        hits.extend(simulation.take_hits());
+    }
+    assert!(
+        simulation.mass_ledger().discharged.count > 5,
+        "some roll away"
+    );
+    (hits, simulation)
+}
+
+#[test]
+fn all_hits_together_are_what_the_ledger_of_energy_says() {
+    let (hits, simulation) = run(heap(ALL), 1, 400);
+    let all = simulation.hits_with_open();
+    let total = all.total();
+    let statistics = simulation.contact_statistics();
+    // Pellets that leave end contacts that the statistics of finished ones do not count.
+    assert!(total.count >= statistics.finished + statistics.open);
+    assert_eq!(total.count, (hits.len() + all.rows().len()) as u64);
+    assert_eq!(all.rows().len() as u64, statistics.open);
+    assert!(all.rows().iter().all(|hit| hit.is_open) && hits.iter().all(|hit| !hit.is_open));
+    let books = &simulation.state().books.energy;
+    // Sums of some 1e5 numbers in another order.
+    let taken = books.damped + books.shear_work;
+    assert!(
+        (total.lost_energy / taken - 1.0).abs() < 1.0e-10,
+        "{} {taken}",
+        total.lost_energy
+    );
+    let of_rows: f64 = hits
+        .iter()
+        .chain(all.rows())
+        .map(|hit| hit.lost_energy)
+        .sum();
+    assert!((of_rows / taken - 1.0).abs() < 1.0e-10);
+}
+
+#[test]
+fn impulses_on_the_floor_are_what_stops_the_pellets() {
+    let mut setup = heap(ALL);
+    setup.outlets.clear();
+    let mut simulation = simulation(setup);
+    // Positions and half-step velocities are what the steps add up.
+    let momentum = |simulation: &Simulation| -> f64 {
+        let rows = simulation.state().pellets.half_step_velocity.iter();
+        rows.map(|row| row[2] * row[3]).sum()
+    };
+    simulation.step().expect("nothing touches yet");
+    let (before, begin) = (momentum(&simulation), simulation.time());
+    simulation.advance(6000).expect("the scene is sound");
+    let mass = simulation.mass_ledger().inside.mass;
+    let weight = mass * -GRAVITY.z * (simulation.time() - begin);
+    let all = simulation.hits_with_open();
+    let on_floor: f64 = all
+        .classes()
+        .iter()
+        .filter(|(key, _)| key.wall == Some(0))
+        .map(|(_, class)| class.normal_impulse)
+        .sum();
+    let gained = momentum(&simulation) - before + weight;
+    assert!(
+        (on_floor / gained - 1.0).abs() < 1.0e-10,
+        "{on_floor} {gained}"
+    );
+}
+
+#[test]
+fn threads_search_and_readings_change_no_row() {
+    let (oracle, of_oracle) = run(heap(ALL), 1, 400);
+    for (search, threads, stride) in [
+        (NeighborSearch::Grid, 2, 25),
+        (NeighborSearch::Tree, 3, 1000),
+        (NeighborSearch::AllPairs, 1, 2000),
+    ] {
+        let mut setup = heap(ALL);
+        setup.search = search;
+        let (hits, simulation) = run(setup, threads, stride);
+        assert!(hits == oracle, "{search:?}");
+        assert!(
+            simulation.hits_with_open() == of_oracle.hits_with_open(),
+            "{search:?}"
+        );
+    }
+}
+
+#[test]
+fn following_hits_changes_no_bit_of_the_state() {
+    let (_, with) = run(heap(ALL), 1, 400);
+    let (_, without) = run(heap(None), 1, 400);
+    assert_eq!(with.state_hash(), without.state_hash());
+}
+
+#[test]
+fn records_alone_tell_the_greatest_force_of_every_pellet() {
+    let greatest = |(hits, simulation): (Vec<Hit>, Simulation)| {
+        let mut of_pellets: BTreeMap<u32, f64> = BTreeMap::new();
+        let open = simulation.hits_with_open();
+        for hit in hits.iter().chain(open.rows()) {
+            let other = match hit.partner {
+                HitPartner::Pellet { id, .. } => Some(id),
+                HitPartner::Wall(_) => None,
+            };
+            for id in [Some(hit.pellet), other].into_iter().flatten() {
+                let force = of_pellets.entry(id).or_default();
+                *force = force.max(hit.peak_force);
+            }
+        }
+        (of_pellets, hits.len(), open.total())
+    };
+    let (all, rows, total) = greatest(run(heap(ALL), 1, 400));
+    let (kept, few, same_total) = greatest(run(heap(RECORDS), 1, 400));
+    assert_eq!(kept, all);
+    assert_eq!(
+        (total.count, total.lost_energy),
+        (same_total.count, same_total.lost_energy)
+    );
+    assert!(3 * few < rows, "{few} of {rows}");
+}
+
+/// What a contact did, followed one by one.
+#[derive(Debug, Clone, Copy, Default)]
+struct Trace {
+    history: ContactHistory,
+    steps: u64,
+    force: f64,
+    normal: f64,
+    tangential: f64,
+    power: f64,
+}
+
+/// Follows every pair of pellets and every pellet on the floor at every step, by the law of a single contact.
+#[derive(Default)]
+struct Oracle {
+    open: BTreeMap<(u32, Option<u32>), Trace>,
+    ended: BTreeMap<(u32, Option<u32>, u64), Trace>,
+}
+
+impl Oracle {
+    fn step(&mut self, simulation: &Simulation) {
+        let pellets = &simulation.state().pellets;
+        for a in 0..pellets.len() {
+            let id = pellets.id[a];
+            let (position, velocity) = (&pellets.position[a], &pellets.velocity[a]);
+            let overlap = position[3] - position[2];
+            let contact = (overlap > 0.0).then(|| {
+                let arm = position[3] - 0.5 * overlap;
+                let spin = Vec3::new(pellets.spin[a][0], pellets.spin[a][1], pellets.spin[a][2]);
+                let speed = Vec3::new(velocity[0], velocity[1], velocity[2]);
+                Contact {
+                    normal: Vec3::z(),
+                    overlap,
+                    relative_velocity: speed - arm * spin.cross(&Vec3::z()),
+                    relative_spin: spin,
+                    effective_radius: curvature::effective_radius([1.0 / position[3]; 2]),
+                    effective_mass: 1.0 / velocity[3],
+                    inverse_mass: velocity[3],
+                }
+            });
+            self.touch(simulation, (id, None), contact);
+            for b in 0..pellets.len() {
+                let other = pellets.id[b];
+                if id < other {
+                    self.touch(simulation, (id, Some(other)), between(simulation, a, b));
+                }
+            }
+        }
+    }
+
+    fn touch(
+        &mut self,
+        simulation: &Simulation,
+        key: (u32, Option<u32>),
+        contact: Option<Contact>,
+    ) {
+        let step = simulation.step_count();
+        let Some(contact) = contact else {
+            if let Some(trace) = self.open.remove(&key) {
+                self.ended.insert((key.0, key.1, step), trace);
+            }
+            return;
+        };
+        let setup = simulation.model().setup();
+        let materials = [common::ORE, key.1.map_or(common::STEEL, |_| common::ORE)];
+        let [a, b] = materials.map(|index| &setup.materials[index].material);
+        let properties = setup.pair_properties(materials[0], materials[1]);
+        let pair = MaterialPair::new(a, b, properties.expect("all pairs are given"));
+        let sampling = Sampling::located(simulation.model().time_step().seconds);
+        let trace = self.open.entry(key).or_default();
+        let force = setup
+            .laws
+            .force(&contact, &pair, &mut trace.history, &sampling);
+        trace.force = trace.force.max(force.normal);
+        trace.normal += trace.history.normal_force;
+        trace.tangential += force.tangential;
+        trace.power += force.dissipation + force.shear_power;
+        if trace.history.normal_force == 0.0 {
+            let trace = self.open.remove(&key).expect("it was just there");
+            if trace.steps > 0 {
+                self.ended.insert((key.0, key.1, step), trace);
+            }
+            return;
+        }
+        trace.steps += 1;
+        // A memory keeps this force in single precision, and 0 for a contact that is over alone.
+        let rounded = trace.history.normal_force as f32;
+        trace.history.normal_force = f64::from(if rounded == 0.0 {
+            f32::MIN_POSITIVE
+        } else {
+            rounded
+        });
+    }
+}
+
+/// The contact of two pellets, seen from the first.
+fn between(simulation: &Simulation, a: usize, b: usize) -> Option<Contact> {
+    let pellets = &simulation.state().pellets;
+    let (first, second) = (&pellets.position[a], &pellets.position[b]);
+    let (va, vb) = (&pellets.velocity[a], &pellets.velocity[b]);
+    let away = [0, 1, 2].map(|axis| first[axis] - second[axis]);
+    let reach = first[3] + second[3];
+    let is_touching = away[0] * away[0] + away[1] * away[1] + away[2] * away[2] < reach * reach;
+    is_touching.then(|| {
+        let mut batch = Batch::new(simulation.model().setup().laws);
+        let pair = SpherePair {
+            between: [away[0], away[1], away[2], first[3]],
+            other_radius: second[3],
+            velocity: [va[0] - vb[0], va[1] - vb[1], va[2] - vb[2], va[3] + vb[3]],
+            spins: [pellets.spin[a], pellets.spin[b]],
+        };
+        batch.set_spheres(0, &pair, true);
+        batch.meet(1, InstructionSet::Baseline);
+        batch.contact(0)
+    })
+}
+
+#[test]
+fn every_row_of_a_flow_is_what_following_its_contact_alone_gives() {
+    let mut setup = heap(ALL);
+    setup.outlets.clear();
+    let mut simulation = simulation(setup);
+    let mut oracle = Oracle::default();
+    let mut hits = Vec::new();
+    while simulation.step_count() < 6000 {
+        oracle.step(&simulation);
+        simulation.step().expect("the scene is sound");
+        hits.extend(simulation.take_hits());
+    }
+    assert!(hits.len() > 300, "{}", hits.len());
+    assert_eq!(hits.len(), oracle.ended.len());
+    let time_step = simulation.model().time_step().seconds;
+    let mut between_steps = 0;
+    for hit in &hits {
+        let other = match hit.partner {
+            HitPartner::Pellet { id, .. } => Some(id),
+            HitPartner::Wall(_) => None,
+        };
+        let (a, b) = match other {
+            Some(other) => (hit.pellet.min(other), Some(hit.pellet.max(other))),
+            None => (hit.pellet, None),
+        };
+        let end = ((hit.begin + hit.duration) / time_step).round() as u64;
+        let trace = &oracle.ended[&(a, b, end)];
+        assert_eq!(hit.sampled_force, trace.force, "{hit:?} {trace:?}");
+        assert_eq!(hit.steps, trace.steps);
+        assert_eq!(
+            hit.normal_impulse,
+            time_step * trace.normal,
+            "{hit:?} {trace:?}"
+        );
+        assert_eq!(hit.tangential_impulse, time_step * trace.tangential);
+        assert_eq!(hit.lost_energy, time_step * trace.power);
+        // Between two steps a hit rises by a few percent at most; single precision rounds it.
+        let rise = hit.peak_force / hit.sampled_force;
+        assert!((1.0..1.1).contains(&rise), "{rise}");
+        between_steps += usize::from(rise > 1.0);
+    }
+    assert!(
+        2 * between_steps > hits.len(),
+        "{between_steps} of {}",
+        hits.len()
+    );
+}
