@@ -38,6 +38,7 @@ fn setup(law: TangentialLaw, angle: f64) -> Setup {
             youngs_modulus,
             poisson_ratio,
         },
+        true_youngs_modulus: None,
     };
     let properties = PairProperties {
         restitution: 0.98,

@@ -24,7 +24,17 @@ const RECORDS: Option<HitRequest> = Some(HitRequest {
 
 /// A pellet that meets the floor, or its like, at a speed [m/s].
 fn hit_alone(restitution: f64, speed: f64, against: Against, phase: f64) -> (Hit, Impact) {
-    let mut setup = setup(smooth(restitution), smooth(restitution));
+    let setup = setup(smooth(restitution), smooth(restitution));
+    hit_of(setup, restitution, speed, against, phase)
+}
+
+fn hit_of(
+    mut setup: Setup,
+    restitution: f64,
+    speed: f64,
+    against: Against,
+    phase: f64,
+) -> (Hit, Impact) {
     setup.hits = ALL;
     let materials = &setup.materials;
     let mass = setup.mass(0, RADIUS);
@@ -80,14 +90,19 @@ fn a_hit_alone_is_that_of_the_solver_of_impacts() {
                     let (hit, exact) = hit_alone(restitution, speed, against, phase);
                     let which = format!("{against:?}, e {restitution}, {speed} m/s, {phase}");
                     let share = |found: f64, exact: f64| (found / exact - 1.0).abs();
-                    // The step is chosen for 0.1 % of the peak force.
+                    // The step is chosen for 0.1 % of the peak force of an elastic hit. Strong damping is felt at once,
+                    // and the first sample stands for it a part of a step late.
                     let error = share(hit.peak_force, exact.peak_force);
-                    assert!(error < 1.0e-3, "{which}: peak {error:.5}");
+                    let most = if restitution < 0.8 { 6.0e-3 } else { 1.0e-3 };
+                    assert!(error < most, "{which}: peak {error:.5}");
+                    // Nothing is softened, and so the arrival alone makes this force.
+                    let error = share(hit.arrival_force, exact.peak_force);
+                    assert!(error < 1.0e-6, "{which}: arrival {error:.2e}");
                     // The rebound of a damped hit is met within 0.3 % at a dozen steps.
                     let error = share(hit.normal_impulse, exact.impulse);
                     assert!(error < 2.0e-3, "{which}: impulse {error:.5}");
                     let error = share(hit.peak_pressure, exact.peak_pressure);
-                    assert!(error < 1.0e-3, "{which}: pressure {error:.5}");
+                    assert!(error < most, "{which}: pressure {error:.5}");
                     assert!(share(hit.approach_speed, speed) < 1.0e-6, "{which}");
                     let brought = hit.approach_energy();
                     let lost = brought * (1.0 - restitution.powi(2));
@@ -109,6 +124,20 @@ fn a_hit_alone_is_that_of_the_solver_of_impacts() {
                 }
             }
         }
+    }
+}
+
+#[test]
+fn a_softened_hit_tells_its_force_at_true_stiffness() {
+    for restitution in [1.0, 0.5] {
+        let mut setup = setup(smooth(restitution), smooth(restitution));
+        let ore = &mut setup.materials[common::ORE];
+        ore.true_youngs_modulus = Some(100.0 * ore.material.youngs_modulus);
+        let (hit, soft) = hit_of(setup, restitution, 2.0, Against::Pellet, 0.3);
+        // Both bodies are softened a hundred times, and force goes as the power 2/5 of the modulus.
+        let exact = 100.0_f64.powf(0.4) * soft.peak_force;
+        assert!((hit.true_force() / exact - 1.0).abs() < 1.0e-6);
+        assert!((hit.peak_force / soft.peak_force - 1.0).abs() < 1.0e-3);
     }
 }
 

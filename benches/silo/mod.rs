@@ -56,6 +56,7 @@ pub(crate) fn silo(pellets: usize, radius: f64) -> Setup {
                 youngs_modulus: 1.464e8,
                 poisson_ratio: 0.22,
             },
+            true_youngs_modulus: None,
         }],
         pairs: vec![(
             [0, 0],

@@ -33,6 +33,7 @@ pub(crate) fn setup(pellets: PairProperties, walls: PairProperties) -> Setup {
     let named = |name: &str, material| NamedMaterial {
         name: name.into(),
         material,
+        true_youngs_modulus: None,
     };
     Setup {
         seed: 1,

@@ -1,6 +1,7 @@
 //! A validated setup, and what follows from it.
 
 use crate::error::SetupError;
+use crate::hit::Arrivals;
 use crate::setup::Setup;
 use crate::size::SizeDistribution;
 use crate::time_step::{self, TimeStep};
@@ -41,6 +42,7 @@ struct Derived {
     /// Whether a meter watches the contacts with a wall, by wall.
     watched_walls: Vec<bool>,
     periodic: Option<PeriodicBox>,
+    arrivals: Arrivals,
 }
 
 /// Extra reach of a neighbor list over the mean of the smallest and the largest diameter, where none is given [-].
@@ -186,6 +188,11 @@ impl Model {
         self.setup.hits.is_some()
     }
 
+    /// What arrivals alone make of forces.
+    pub(crate) fn arrivals(&self) -> &Arrivals {
+        &self.derived.arrivals
+    }
+
     /// The box, where the domain is periodic along some axis.
     #[inline]
     pub(crate) fn periodic(&self) -> Option<PeriodicBox> {
@@ -247,6 +254,7 @@ impl Derived {
             skin: setup.skin.unwrap_or(
                 SKIN_SHARE * f64::midpoint(smallest_diameter, largest_diameter) + holding_gap,
             ),
+            arrivals: Arrivals::new(setup),
             smallest_diameter,
             largest_diameter,
             periodic: PeriodicBox::new(&setup.domain.bounds, setup.domain.is_periodic),

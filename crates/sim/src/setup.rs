@@ -62,6 +62,20 @@ pub struct NamedMaterial {
     pub name: String,
     /// Its properties.
     pub material: Material,
+    /// Young's modulus of the real body, where that above is softened to spare steps [Pa].
+    pub true_youngs_modulus: Option<f64>,
+}
+
+impl NamedMaterial {
+    /// The material as it really is.
+    pub fn true_material(&self) -> Material {
+        Material {
+            youngs_modulus: self
+                .true_youngs_modulus
+                .unwrap_or(self.material.youngs_modulus),
+            ..self.material
+        }
+    }
 }
 
 /// Pellets there before the first step.

@@ -219,7 +219,7 @@ pub(super) fn peak_near<N: Normal>(
             speed: touch.predicted_speed,
         }
     } else {
-        sampling.true_motion(contact, &touch.sample)
+        sampling.true_motion::<N>(contact, &touch.sample)
     };
     let sampled = match quantity {
         Quantity::Force => touch.sample.law.force,

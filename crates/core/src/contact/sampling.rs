@@ -84,13 +84,22 @@ impl Sampling {
     /// Overlap [m] and its rate [m/s] that a sample of the leapfrog stands for.
     ///
     /// The leapfrog conserves `T (1 + Δt² S / 6 m*) + V − c F² Δt² / m*` in place of `T + V`, with c of 1/24
-    /// (Hairer, Lubich & Wanner 2006, section IX.3), and of 1/12 with the force gradient.
-    pub(super) fn true_motion(&self, contact: &Contact, sample: &Sample) -> Motion {
+    /// (Hairer, Lubich & Wanner 2006, section IX.3), and of 1/12 with the force gradient. Damped, the whole rate of the
+    /// force takes the place of `S v`.
+    pub(super) fn true_motion<N: Normal>(&self, contact: &Contact, sample: &Sample) -> Motion {
         let per_mass = self.time_step * self.time_step * contact.inverse_mass;
         let share = if self.is_located() { 12.0 } else { 24.0 };
+        let law = &sample.law;
+        let of_damping = if law.elastic_overlap > 0.0 {
+            N::DAMPING_POWER * law.damping * sample.speed / law.elastic_overlap
+        } else {
+            0.0
+        };
+        let rate = (law.stiffness + of_damping) * sample.speed
+            - law.damping * law.force * contact.inverse_mass;
         Motion {
             overlap: contact.overlap - sample.law.force * per_mass / share,
-            speed: sample.speed * (1.0 + sample.law.stiffness * per_mass / 12.0),
+            speed: sample.speed + rate * per_mass / 12.0,
         }
     }
 

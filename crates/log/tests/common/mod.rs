@@ -27,6 +27,7 @@ pub(crate) fn setup(pellets: usize) -> Setup {
     let named = |name: &str, shear_modulus: f64, density: f64| NamedMaterial {
         name: name.into(),
         material: Material::from_shear_modulus(density, shear_modulus, 0.25),
+        true_youngs_modulus: None,
     };
     let pair = PairProperties {
         restitution: 0.5,

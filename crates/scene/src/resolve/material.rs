@@ -3,6 +3,7 @@
 use super::Resolver;
 use crate::key_path::KeyPath;
 use crate::named::Named;
+use crate::number::show;
 use crate::quantity::{Density, Modulus};
 use crate::spec::SceneSpec;
 use crate::spec::material::{MaterialSpec, PairSpec};
@@ -16,9 +17,14 @@ impl Resolver<'_> {
         let spec = self.spec;
         spec.materials
             .iter()
-            .map(|(name, material)| NamedMaterial {
-                name: name.to_owned(),
-                material: self.material(material, &KeyPath::of(["materials", name])),
+            .map(|(name, spec)| {
+                let path = KeyPath::of(["materials", name]);
+                let material = self.material(spec, &path);
+                NamedMaterial {
+                    name: name.to_owned(),
+                    material,
+                    true_youngs_modulus: self.true_youngs_modulus(spec, &material, &path),
+                }
             })
             .collect()
     }
@@ -49,6 +55,27 @@ impl Resolver<'_> {
                 }
             }
         }
+    }
+
+    /// The modulus of the real body, which is no softer than the one computed with.
+    fn true_youngs_modulus(
+        &mut self,
+        spec: &MaterialSpec,
+        material: &Material,
+        path: &KeyPath,
+    ) -> Option<f64> {
+        let Modulus(of_body) = spec.true_youngs_modulus?;
+        let softened = material.youngs_modulus;
+        if of_body < softened {
+            let message = format!(
+                "`true_youngs_modulus` is {} Pa; expected at least the {} Pa computed with: it is that of the real body, \
+                 of which the other is a softer stand-in; swap the two, or leave it out",
+                show(of_body),
+                show(softened)
+            );
+            self.findings.add(&path.key("true_youngs_modulus"), message);
+        }
+        Some(of_body)
     }
 
     pub(super) fn pellets(&mut self) -> Vec<PelletKind> {

@@ -146,7 +146,7 @@ impl Resolver<'_> {
                 limits: run::limits(&spec.limits),
                 skips: run::skips(&spec.skip),
                 instructions: None,
-                hits: None,
+                hits: self.hits(),
             },
             notes: std::mem::take(&mut self.notes),
             files: std::mem::take(&mut self.files),

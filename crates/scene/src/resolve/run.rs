@@ -8,7 +8,7 @@ use crate::spec::run::IntegratorSpec;
 use crate::spec::run::{LimitsSpec, SkipSpec};
 use pelletflow_core::contact::{ContactLaws, NormalLaw, TangentialLaw, TurningLaw};
 use pelletflow_sim::{
-    Integrator, Limits, NeighborSearch, RunPlan, Skips, StepRequest, StopCondition,
+    HitRequest, Integrator, Limits, NeighborSearch, RunPlan, Skips, StepRequest, StopCondition,
 };
 
 /// Error of the peak force that a step is chosen for [-].
@@ -31,6 +31,9 @@ const READINGS: f64 = 1000.0;
 
 /// Most frames or readings of a recording [-].
 const MOST_RECORDS: f64 = 1.0e6;
+
+/// Force from which on every hit is recorded in full, over the load that breaks a pellet [-].
+const NOTEWORTHY_SHARE: f64 = 0.1;
 
 /// Number of pellets up to which spheres are recorded where nothing is said [-].
 const SPHERES_UP_TO: usize = 2000;
@@ -123,6 +126,29 @@ impl Resolver<'_> {
             speed: stop.settled_speed.map_or(SETTLED_SPEED, |speed| speed.0),
         });
         empty.into_iter().chain(settled).collect()
+    }
+
+    /// What is kept of hits: of all that reach a tenth of the load that breaks a pellet, unless another is given.
+    pub(super) fn hits(&mut self) -> Option<HitRequest> {
+        let output = &self.spec.output;
+        if output.hits == Some(false) {
+            if output.hits_above.is_some() {
+                self.findings.add(
+                    &KeyPath::of(["output", "hits_above"]),
+                    "`hits_above` does nothing where `hits` is false; leave one of them out",
+                );
+            }
+            return None;
+        }
+        let of_strength = self
+            .spec
+            .strength
+            .as_ref()
+            .map(|strength| NOTEWORTHY_SHARE * strength.load.0);
+        let threshold = output.hits_above.map(|force| force.0).or(of_strength);
+        Some(HitRequest {
+            threshold: threshold.unwrap_or(f64::INFINITY),
+        })
     }
 
     pub(super) fn output(&self) -> OutputOptions {

@@ -15,6 +15,9 @@ pub(crate) struct MaterialSpec {
     pub(crate) youngs_modulus: Option<Modulus>,
     /// Shear modulus [Pa].
     pub(crate) shear_modulus: Option<Modulus>,
+    /// Young's modulus of the real body, where the one above is softened to spare steps [Pa]; hits are then told at
+    /// both.
+    pub(crate) true_youngs_modulus: Option<Modulus>,
     /// Poisson's ratio [-].
     #[schemars(extend("exclusiveMinimum" = -1.0, "exclusiveMaximum" = 0.5))]
     pub(crate) poisson_ratio: f64,

@@ -1,6 +1,6 @@
 //! `[time]`, `[stop]`, `[output]`, `[limits]` and `[skip]`.
 
-use crate::quantity::{Duration, Moment, Share, Speed};
+use crate::quantity::{Duration, Force, Moment, Share, Speed};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -53,6 +53,11 @@ pub(crate) struct OutputSpec {
     pub(crate) meter_interval: Option<Duration>,
     /// Number of pellets up to which they are recorded as spheres of true size [-]; 2000 where none is given.
     pub(crate) spheres_up_to: Option<usize>,
+    /// Whether every contact is followed from first touch to release and recorded; true where nothing is said.
+    pub(crate) hits: Option<bool>,
+    /// Greatest normal force from which on every hit is recorded in full [N]; a tenth of the strength's load where none
+    /// is given. Hits harder than all before them of a pellet are recorded in any case.
+    pub(crate) hits_above: Option<Force>,
 }
 
 /// When the run counts as failed.

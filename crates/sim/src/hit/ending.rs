@@ -164,17 +164,21 @@ fn row(model: &Model, step: u64, pellets: &Pellets, ended: &Ended) -> Hit {
         pellets.kind[ended.pellet],
         pellets.velocity[ended.pellet][3],
     );
-    let (partner, pair, inverse_mass) = match ended.partner {
+    let setup = model.setup();
+    let material = setup.pellets[usize::from(kind)].material;
+    let (partner, other_material, pair, inverse_mass) = match ended.partner {
         Partner::Pellet(other) => (
             HitPartner::Pellet {
                 id: pellets.id[other],
                 diameter: 2.0 * pellets.position[other][3],
             },
+            setup.pellets[usize::from(pellets.kind[other])].material,
             model.pair_of_kinds(kind, pellets.kind[other]),
             inverse_mass + pellets.velocity[other][3],
         ),
         Partner::Wall(wall) => (
             HitPartner::Wall(wall),
+            setup.walls[wall].material,
             model.pair_with_wall(kind, wall),
             inverse_mass,
         ),
@@ -205,6 +209,7 @@ fn row(model: &Model, step: u64, pellets: &Pellets, ended: &Ended) -> Hit {
         place: trace.place(),
         peak_force,
         sampled_force: trace.sampled_force,
+        arrival_force: model.arrivals().force([material, other_material], &arrival),
         peak_pressure: arrival.pressure(peak_force),
         normal_impulse: time_step * trace.normal_forces,
         tangential_impulse: time_step * trace.tangential_forces,

@@ -3,6 +3,7 @@
 //! Every contact is followed at every step ([`Trace`](crate::hit::Trace)).
 //! When it ends it becomes a [`Hit`], which the [`HitLedger`] counts and, where it matters, keeps in full.
 
+mod arrival;
 mod ending;
 mod ledger;
 mod trace;
@@ -10,6 +11,7 @@ mod trace;
 pub use ledger::{HitClass, HitClassKey, HitLedger, HitRequest};
 pub use trace::Trace;
 
+pub(crate) use arrival::Arrivals;
 pub(crate) use ending::{Ended, end_leaving, enter, open};
 pub(crate) use trace::follow;
 
@@ -42,6 +44,12 @@ pub struct Hit {
     pub peak_force: f64,
     /// Greatest normal force of any one step [N].
     pub sampled_force: f64,
+    /// Greatest normal force that the arrival of the two bodies alone makes at their true stiffness, damped as their
+    /// restitution tells (Hertz; see [`Impact`](pelletflow_impact::Impact)) [N].
+    ///
+    /// It is the peak force of a hit of two bodies whose stiffness is not softened; the force of a hit that is squeezed
+    /// hardly depends on it.
+    pub arrival_force: f64,
     /// Greatest pressure, in the middle of the contact under the greatest force (Johnson 1985, eq. 4.24) [Pa].
     pub peak_pressure: f64,
     /// Normal force over time [N·s].
@@ -108,6 +116,14 @@ impl Hit {
     /// Angle between path and surface at first touch, π/2 head on [rad].
     pub fn angle(&self) -> f64 {
         self.approach_speed.max(0.0).atan2(self.sliding_speed)
+    }
+
+    /// Greatest normal force at true stiffness: of an arrival its own, of a squeeze what the bed makes [N].
+    pub fn true_force(&self) -> f64 {
+        match self.cause {
+            Cause::Squeeze => self.peak_force,
+            Cause::Drop | Cause::Collision => self.arrival_force,
+        }
     }
 
     /// Energy of the approach along the normal, `m* v² / 2` [J].

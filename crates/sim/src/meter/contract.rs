@@ -68,6 +68,7 @@ fn scene(meters: Vec<MeterKind>) -> Setup {
         materials: vec![NamedMaterial {
             name: "ore".into(),
             material: ore,
+            true_youngs_modulus: None,
         }],
         pairs: vec![([0, 0], pair)],
         pellets: vec![PelletKind {

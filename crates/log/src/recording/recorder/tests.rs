@@ -56,6 +56,7 @@ fn setup() -> Setup {
         materials: vec![NamedMaterial {
             name: "ore".into(),
             material: Material::from_shear_modulus(3700.0, 6.0e7, 0.25),
+            true_youngs_modulus: None,
         }],
         pairs: Vec::new(),
         pellets: vec![PelletKind {
