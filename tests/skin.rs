@@ -2,11 +2,13 @@
 
 mod common;
 
-use common::{GRAVITY, RADIUS, floor, one, setup, simulation, simulation_on, smooth, wall};
+use common::{
+    GRAVITY, RADIUS, floor, one, run_until, setup, simulation, simulation_on, smooth, wall,
+};
 use pelletflow::core::contact::NormalLaw;
 use pelletflow::core::{PairProperties, Shape, Vec3};
 use pelletflow::sim::{
-    Fill, FillAmount, Inlet, Motion, NeighborSearch, PelletKind, Rate, Seats, Setup,
+    Fill, FillAmount, Inlet, Motion, NeighborSearch, Outlet, PelletKind, Rate, Seats, Setup,
     SizeDistribution,
 };
 
@@ -204,4 +206,27 @@ fn sticky_pellets_hold_on_within_any_skin() {
     for skin in [4.0e-3, 8.0e-3] {
         assert_eq!(run(Some(skin)), tuned, "a skin of {skin} m");
     }
+}
+
+#[test]
+fn no_pellet_passes_a_thin_outlet_unseen() {
+    let mut setup = setup(smooth(0.5), smooth(0.5));
+    let thickness = 0.1 * DIAMETER;
+    setup.outlets = vec![Outlet {
+        name: "sheet".into(),
+        region: Shape::Cuboid {
+            half_sides: Vec3::new(1.0, 1.0, thickness / 2.0),
+        },
+    }];
+    // Spread over more than the way from one search to the next, were the skin wide.
+    let start = |place: f64| Vec3::new(place, 0.0, 0.5 + 3.0 * place * thickness);
+    setup.fills = (0_u32..20)
+        .map(|index| {
+            let place = 0.05 * f64::from(index);
+            one(&format!("pellet-{index}"), start(place), -15.0 * Vec3::z())
+        })
+        .collect();
+    let mut simulation = simulation(setup);
+    run_until(&mut simulation, 0.08).expect("none reaches the border");
+    assert_eq!(simulation.mass_ledger().discharged.count, 20);
 }

@@ -3,7 +3,7 @@
 use crate::error::SetupError;
 use crate::neighbors::SkinChoice;
 use crate::pellet::PelletKind;
-use crate::setup::Setup;
+use crate::setup::{Outlet, Setup};
 use crate::size::SizeDistribution;
 use crate::time_step::{self, TimeStep};
 use crate::validate;
@@ -270,11 +270,18 @@ fn skin_choice(setup: &Setup) -> SkinChoice {
     let of_mean_volume = |kind: &PelletKind| (6.0 / PI * kind.size.mean_volume()).cbrt();
     let finest = setup.pellets.iter().map(of_mean_volume);
     let tuned = SkinChoice::tuned(finest.fold(f64::INFINITY, f64::min));
+    // A grid of distances answers for pellets that are near, and its triangles, slowly, for those beyond.
     let is_baked = |wall: &Wall| matches!(wall.shape, WallShape::Baked(_));
+    // Between two searches a pellet moves by half the skin, and must not pass an outlet unseen.
+    let is_thin = |outlet: &Outlet| {
+        let bounds = outlet.region.bounds();
+        (bounds.max - bounds.min).min() < tuned.widest(0.0)
+    };
     match setup.skin {
         Some(skin) => SkinChoice::Fixed(skin),
-        // A grid of distances answers for pellets that are near, and its triangles, slowly, for those beyond.
-        None if setup.walls.iter().any(is_baked) => tuned.narrowed(),
+        None if setup.walls.iter().any(is_baked) || setup.outlets.iter().any(is_thin) => {
+            tuned.narrowed()
+        }
         None => tuned,
     }
 }
