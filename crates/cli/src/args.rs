@@ -151,10 +151,14 @@ pub(crate) struct NewArguments {
 #[command(after_help = "\
 Examples:
   pelletflow inspect out/hopper/run.mcap
+  pelletflow inspect out/hopper/run.mcap --worst 20   list the hardest hits
   pelletflow inspect out/hopper/run.mcap --json | jq '.channels[].topic'")]
 pub(crate) struct InspectArguments {
     /// Recording.
     pub(crate) recording: PathBuf,
+    /// List the hardest hits, so many of them, in place of what the file holds.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) worst: Option<u32>,
     /// Print JSON.
     #[arg(long)]
     pub(crate) json: bool,
