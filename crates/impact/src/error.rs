@@ -16,6 +16,14 @@ pub enum ImpactError {
         /// The bound.
         expected: &'static str,
     },
+    /// A blow among many is not one.
+    #[error("blow {index}: {fault}")]
+    Blow {
+        /// Its place in the list, counted from 0 [-].
+        index: usize,
+        /// What is wrong with it.
+        fault: Box<ImpactError>,
+    },
     /// The solver did not reach the release.
     #[error("the hit has no end that the solver reaches: {reason}; lower the damping")]
     NoRelease {
@@ -51,5 +59,22 @@ pub(crate) fn positive(
         value,
         unit,
         expected: "more than 0",
+    })
+}
+
+/// Refuses a quantity that is not finite, or less than nothing.
+pub(crate) fn not_negative(
+    quantity: &'static str,
+    unit: &'static str,
+    value: f64,
+) -> Result<(), ImpactError> {
+    if value >= 0.0 && value.is_finite() {
+        return Ok(());
+    }
+    Err(ImpactError::OutOfBounds {
+        quantity,
+        value,
+        unit,
+        expected: "0 or more",
     })
 }

@@ -5,14 +5,21 @@
 //! curves fitted to it. [`Strength`] and [`SafeSpeed`] turn a crushing strength into an arrival speed.
 
 pub mod arrival;
+pub mod damage;
 pub mod damping;
 pub mod elastic;
 mod error;
 pub mod fit;
+pub mod fracture_energy;
 mod head_on;
 pub mod impact;
+mod interval;
 pub mod oblique;
+mod pivots;
 pub mod safe_speed;
+pub mod scatter;
+pub mod score;
+mod share_band;
 pub mod strength;
 
 pub use arrival::Arrival;
@@ -20,7 +27,11 @@ pub use damping::Damping;
 pub use elastic::ElasticImpact;
 pub use error::ImpactError;
 pub use fit::{BellFit, LogisticFit, SineFit};
+pub use fracture_energy::{FractureEnergy, MedianEnergy};
 pub use impact::{Impact, Sample};
+pub use interval::Interval;
 pub use oblique::{Approach, ObliqueSample, Rebound, Slip};
 pub use safe_speed::SafeSpeed;
-pub use strength::{Interval, Scatter, Strength};
+pub use scatter::{Scatter, ScatterLaw};
+pub use score::{Blow, Score, StrengthLaw, score};
+pub use strength::Strength;
