@@ -16,8 +16,8 @@ pub struct FractureEnergy {
     pub deviation: f64,
     /// Greatest fracture energy over the median; none where there is no upper end [-].
     pub truncation: Option<f64>,
-    /// Damage constant γ: the smaller, the more a weak blow damages [-].
-    pub damage_constant: f64,
+    /// Damage constant γ: the smaller, the more a weak blow damages; none where it leaves no trace [-].
+    pub damage_constant: Option<f64>,
     /// Number of tested pellets; none where the parameters count as exact [-].
     pub sample_size: Option<u32>,
 }
@@ -83,7 +83,7 @@ impl FractureEnergy {
             "",
             self.truncation.unwrap_or(1.0),
         )?;
-        positive("damage constant", "", self.damage_constant)?;
+        positive("damage constant", "", self.damage_constant.unwrap_or(1.0))?;
         positive(
             "sample size of the test",
             "",
@@ -119,7 +119,7 @@ mod tests {
         },
         deviation: 0.5,
         truncation: Some(4.0),
-        damage_constant: 5.0,
+        damage_constant: Some(5.0),
         sample_size: None,
     };
 
@@ -149,7 +149,7 @@ mod tests {
                 ..PELLET
             },
             FractureEnergy {
-                damage_constant: -5.0,
+                damage_constant: Some(-5.0),
                 ..PELLET
             },
             FractureEnergy {

@@ -47,6 +47,10 @@ impl Pivots {
         }
     }
 
+    pub(crate) fn law(&self) -> ScatterLaw {
+        self.law
+    }
+
     /// How far the place of a share lies from the fitted location, in fitted spreads: least and most [-].
     pub(crate) fn offset(&self, place: f64) -> [f64; 2] {
         match &self.draws {

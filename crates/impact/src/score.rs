@@ -50,7 +50,8 @@ pub struct Blow {
 pub enum StrengthLaw {
     /// The greatest force that it ever feels; what is weaker leaves no trace.
     Load(Strength),
-    /// The energy of a blow, against a fracture energy that every blow before has lowered.
+    /// The energy of a blow, against a fracture energy that every blow before has lowered where there is a damage
+    /// constant.
     Energy(FractureEnergy),
 }
 
@@ -219,7 +220,7 @@ enum Reach<'law> {
     Energy {
         energy: &'law FractureEnergy,
         shares: ShareBand,
-        weakening: Weakening,
+        weakening: Option<Weakening>,
         greatest: f64,
     },
 }
@@ -235,7 +236,9 @@ impl<'law> Reach<'law> {
             StrengthLaw::Energy(energy) => Self::Energy {
                 energy,
                 shares: energy.shares(),
-                weakening: Weakening::new(energy.deviation, energy.damage_constant),
+                weakening: energy
+                    .damage_constant
+                    .map(|constant| Weakening::new(energy.deviation, constant)),
                 greatest: 0.0,
             },
         }
@@ -250,7 +253,9 @@ impl<'law> Reach<'law> {
                 greatest,
                 ..
             } => {
-                weakening.renew();
+                if let Some(weakening) = weakening {
+                    weakening.renew();
+                }
                 *greatest = 0.0;
             }
         }
@@ -276,8 +281,11 @@ impl<'law> Reach<'law> {
                 weakening,
                 greatest,
             } => {
-                let broken =
-                    weakening.hit(blow.energy / blow.mass / energy.median.at(blow.diameter));
+                let medians = blow.energy / blow.mass / energy.median.at(blow.diameter);
+                let broken = match weakening {
+                    Some(weakening) => weakening.hit(medians),
+                    None => medians,
+                };
                 (broken > *greatest).then(|| {
                     *greatest = broken;
                     shares.share(energy.place(broken))

@@ -12,7 +12,7 @@ const DAMAGED: FractureEnergy = FractureEnergy {
     median: MedianEnergy::OfAnySize(100.0),
     deviation: 0.5,
     truncation: None,
-    damage_constant: 5.0,
+    damage_constant: Some(5.0),
     sample_size: Some(60),
 };
 
@@ -112,9 +112,10 @@ fn larger_pellets_bear_the_force_that_their_area_says() {
     assert!((scored(&law, &[large]).best[0] - 0.5).abs() < 1.0e-12);
 }
 
-/// Share of ten thousand strengths, each followed by itself with the exact damage, that a life breaks blow by blow.
+/// Share of two thousand strengths, each followed by itself with the exact damage, that a life breaks blow by blow.
 fn one_by_one(law: &FractureEnergy, ratios: &[f64]) -> Vec<f64> {
-    const COUNT: u32 = 10_000;
+    const COUNT: u32 = 2000;
+    let constant = law.damage_constant.expect("a law with damage");
     let mut broken = vec![0.0; ratios.len()];
     for number in 0..COUNT {
         let share = (f64::from(number) + 0.5) / f64::from(COUNT);
@@ -124,7 +125,7 @@ fn one_by_one(law: &FractureEnergy, ratios: &[f64]) -> Vec<f64> {
                 broken[index] += 1.0 / f64::from(COUNT);
                 break;
             }
-            strength *= 1.0 - damage(energy / strength, law.damage_constant);
+            strength *= 1.0 - damage(energy / strength, constant);
         }
     }
     broken
@@ -144,19 +145,19 @@ fn quantile(deviation: f64, share: f64) -> f64 {
 }
 
 #[test]
-fn damage_breaks_what_ten_thousand_pellets_followed_one_by_one_break() {
+fn damage_breaks_what_two_thousand_pellets_followed_one_by_one_break() {
     let lives: [Vec<f64>; 5] = [
         vec![0.4; 30],
         (0..40).map(spread).collect(),
         (0..200).map(|index| 0.3 * spread(index)).collect(),
         (0..12).map(|index| 0.1 * f64::from(index)).rev().collect(),
-        [vec![0.8], vec![0.02; 500]].concat(),
+        [vec![0.8], vec![0.02; 300]].concat(),
     ];
-    for constant in [2.5, 3.0, 5.0] {
-        for deviation in [0.25, 0.5, 0.8] {
+    for constant in [3.0, 5.0] {
+        for deviation in [0.25, 0.8] {
             let law = FractureEnergy {
                 deviation,
-                damage_constant: constant,
+                damage_constant: Some(constant),
                 sample_size: None,
                 ..DAMAGED
             };
@@ -172,7 +173,7 @@ fn damage_breaks_what_ten_thousand_pellets_followed_one_by_one_break() {
                     sum += one;
                     sum_exact += other;
                     assert!(
-                        (sum - sum_exact).abs() < 2.0e-3,
+                        (sum - sum_exact).abs() < 1.0e-2,
                         "γ {constant} σ {deviation} life {number}: {sum} {sum_exact}"
                     );
                 }
@@ -188,12 +189,15 @@ fn damage_adds_up_where_without_it_the_second_equal_blow_breaks_nothing() {
     assert!(score.best.iter().all(|chance| *chance > 0.0));
     // The damage of a blow that falls short by little is near 1, so that the second breaks more than the third.
     assert!(score.best[1] > score.best[2]);
-    let without = FractureEnergy {
-        damage_constant: 1.0e3,
+    let [little, without] = [Some(1.0e3), None].map(|damage_constant| FractureEnergy {
+        damage_constant,
         ..DAMAGED
-    };
+    });
+    // A great constant leaves the damage to blows that nearly break.
+    let score = scored(&StrengthLaw::Energy(little), &blows);
+    assert!(score.best[1] < 0.2 * score.best[0], "{:?}", score.best);
     let score = scored(&StrengthLaw::Energy(without), &blows);
-    assert!(score.best[1] < 0.02 * score.best[0], "{:?}", score.best);
+    assert_eq!(score.best[1..], [0.0, 0.0]);
 }
 
 #[test]
