@@ -34,7 +34,7 @@ pub use overrides::{Override, OverrideError};
 pub use resolve::{OutputOptions, Strength};
 pub use scene::Scene;
 pub use schema::schema;
-pub use strength_card::{StrengthCard, StrengthCardError};
+pub use strength_card::{Provenance, StrengthCard, StrengthCardError, Tumble};
 pub use suggest::instead;
 pub use template::{TEMPLATES, Template};
 pub use units::Kind;
