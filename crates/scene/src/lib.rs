@@ -8,6 +8,7 @@
 mod draft;
 mod expect;
 mod key_path;
+mod lab_sheet;
 mod measure;
 mod mesh;
 mod mistakes;
@@ -27,6 +28,7 @@ mod units;
 mod walk;
 
 pub use expect::{ExpectationOutcome, Expectations};
+pub use lab_sheet::{LabSheet, LabSheetError};
 pub use measure::{MeasureError, measure};
 pub use mesh::{BakeReport, MeshReport, Rim};
 pub use mistakes::{Mistake, Mistakes, Place, SceneError};
