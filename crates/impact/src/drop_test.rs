@@ -115,8 +115,24 @@ impl DropFit {
             deviation: self.deviation.best,
             truncation: None,
             damage_constant,
-            sample_size: Some(self.dropped),
+            sample_size: Some(self.equivalent_size()),
         }
+    }
+
+    /// Number of pellets that would leave intervals as wide, had the fracture energy of each been measured [-].
+    ///
+    /// A drop tells only whether a pellet broke, so that it counts for less than one.
+    fn equivalent_size(&self) -> u32 {
+        let law = ScatterLaw::LogNormal;
+        let deviations = Normal::standard().inverse_cdf(0.5 + 0.5 * CONFIDENCE);
+        let size = |interval: Interval, variance: f64| {
+            let reach = 0.5 * (interval.high / interval.low).ln();
+            variance * (deviations / reach).powi(2)
+        };
+        // The variance of a large sample: σ²/n of the median's logarithm, 1/2n of the deviation's.
+        let of_median = size(self.median, law.variance(0.0) * self.deviation.best.powi(2));
+        let of_deviation = size(self.deviation, law.variance(1.0) - law.variance(0.0));
+        (of_median.min(of_deviation) as u32).max(2)
     }
 
     /// From the line of places over the logarithm of the energy, and the information that it is known with.
@@ -257,6 +273,23 @@ mod tests {
         assert!(sheets > 990.0, "{sheets}");
         assert!(median / sheets > 0.93, "{}", median / sheets);
         assert!(deviation / sheets > 0.93, "{}", deviation / sheets);
+    }
+
+    #[test]
+    fn a_drop_tells_less_than_a_pellet_whose_fracture_energy_is_measured() {
+        let levels = [
+            level(10.0, 100, 16),
+            level(14.0, 100, 50),
+            level(20.0, 100, 84),
+        ];
+        let fit = DropFit::new(&levels).expect("a fit");
+        let size = fit.fracture_energy(None).sample_size.expect("a size");
+        assert!(size > 30 && size < 200, "{size}");
+        let more = levels.map(|one| level(one.speed, 4 * one.dropped, 4 * one.broken));
+        let more = DropFit::new(&more).expect("a fit").fracture_energy(None);
+        // Four times the drops are worth four times the pellets, but for the shape of the intervals of a small sample.
+        let ratio = f64::from(more.sample_size.expect("a size")) / f64::from(size);
+        assert!((ratio / 4.0 - 1.0).abs() < 0.05, "{ratio}");
     }
 
     #[test]
