@@ -62,7 +62,7 @@ impl Strength {
         self.validate(diameter)?;
         let size_effect = self.size_effect(diameter);
         let Some((law, location, spread)) = self.scatter.law() else {
-            return Ok(Interval::exact(self.fixed_load() * size_effect));
+            return Ok(Interval::exact(self.scatter.center() * size_effect));
         };
         let place = law.place(risk);
         let [low, high] = self
@@ -104,14 +104,6 @@ impl Strength {
                 .scatter
                 .law()
                 .map(|(law, ..)| ShareBand::new(law, self.sample_size)),
-        }
-    }
-
-    fn fixed_load(&self) -> f64 {
-        match self.scatter {
-            Scatter::Fixed(load) => load,
-            Scatter::Weibull { scale, .. } => scale,
-            Scatter::LogNormal { median, .. } => median,
         }
     }
 

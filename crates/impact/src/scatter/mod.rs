@@ -129,6 +129,15 @@ impl Scatter {
         }
     }
 
+    /// The fixed load, or that at the place 0: Weibull's scale, or the median [N].
+    pub(crate) fn center(&self) -> f64 {
+        match *self {
+            Self::Fixed(load) => load,
+            Self::Weibull { scale, .. } => scale,
+            Self::LogNormal { median, .. } => median,
+        }
+    }
+
     /// Share that breaks under a load [N], at the diameter of the test [-].
     pub(crate) fn share(&self, load: f64) -> f64 {
         match *self {

@@ -2,7 +2,8 @@
 
 mod columns;
 
-use crate::mistakes::{Mistake, Mistakes, Place};
+use crate::mistakes::Mistakes;
+use crate::source::Source;
 use crate::units::Kind;
 use columns::{Column, Columns};
 use pelletflow_impact::{
@@ -156,30 +157,11 @@ impl LabSheet<Vec<DropLevel>> {
 }
 
 fn text_of(path: &Path) -> Result<String, LabSheetError> {
-    let unreadable = |source| LabSheetError::Unreadable {
+    let text = Source::read(path).map_err(|source| LabSheetError::Unreadable {
         path: path.to_owned(),
         source,
-    };
-    // Opening a directory succeeds on some systems and fails later with another message.
-    if path.is_dir() {
-        return Err(unreadable(io::ErrorKind::IsADirectory.into()));
-    }
-    let bytes = std::fs::read(path).map_err(unreadable)?;
-    String::from_utf8(bytes).map_err(|error| {
-        let valid = error.utf8_error().valid_up_to();
-        let line = 1 + error.as_bytes()[..valid]
-            .iter()
-            .filter(|byte| **byte == b'\n')
-            .count();
-        let message = format!("byte {valid} is not UTF-8; save the sheet as UTF-8 text");
-        Mistakes::new(vec![Mistake {
-            file: path.display().to_string(),
-            place: Place::Line { line, column: None },
-            key: String::new(),
-            message,
-        }])
-        .into()
-    })
+    })??;
+    Ok(text)
 }
 
 #[cfg(test)]

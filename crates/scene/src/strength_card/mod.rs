@@ -146,7 +146,7 @@ sample_size = 60
             source: "60 pellets, ISO 4700\nsecond line".into(),
             strength: Strength {
                 scatter: Scatter::LogNormal {
-                    median: 2346.789_123_456_7,
+                    median: 2_346.789_123_456_7,
                     deviation: 0.1 + 0.2,
                 },
                 test_diameter: Some(0.011_25),
