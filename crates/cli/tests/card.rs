@@ -108,6 +108,35 @@ fn a_card_that_is_written_gives_safe_speed_the_load_that_was_shown() {
 }
 
 #[test]
+fn the_force_of_a_drop_test_is_that_of_hertz_with_its_interval() {
+    let directory = sheets();
+    let arguments = [
+        "card",
+        "--crush",
+        "loads.csv",
+        "--drop",
+        "drops.csv",
+        "--pellet",
+        "fired-pellet",
+        "--json",
+    ];
+    let fit = &json(directory.path(), &arguments)["drops"]["fit"];
+    let end = |key: &str, index: usize| fit[key][index].as_f64().expect("a number");
+    let [force, energy] = [
+        "median_elastic_force_interval_n",
+        "median_interval_j_per_kg",
+    ]
+    .map(|key| end(key, 1) / end(key, 0));
+    // P ∝ v^1.2, and the energy is v²/2.
+    assert!(
+        (force / energy.powf(0.6) - 1.0).abs() < 1.0e-12,
+        "{force} {energy}"
+    );
+    let best = fit["median_elastic_force_n"].as_f64().expect("a number");
+    assert!(holds(&fit["median_elastic_force_interval_n"], best));
+}
+
+#[test]
 fn the_page_shows_fits_loads_drops_and_what_comes_next() {
     let directory = sheets();
     let call = good(

@@ -6,7 +6,9 @@ use crate::args::hit::HitArguments;
 use crate::commands::hit::Hit;
 use crate::exit::Failure;
 use crate::table::{self, number};
-use pelletflow_impact::{Arrival, Damping, DropFit, DropLevel, FractureEnergy, ImpactError, Slip};
+use pelletflow_impact::{
+    Arrival, Damping, DropFit, DropLevel, FractureEnergy, ImpactError, Interval, Slip,
+};
 use serde_json::{Value, json};
 
 /// A drop test, and the fracture energy fitted to it.
@@ -54,6 +56,16 @@ impl Drops {
         Some(arrival.elastic().peak_force())
     }
 
+    /// Greatest force of an elastic hit that breaks half of the pellets [N].
+    fn median_force(&self, fit: &DropFit) -> Option<Interval> {
+        let speed = median_speed(fit);
+        Some(Interval {
+            low: self.force(speed.low)?,
+            best: self.force(speed.best)?,
+            high: self.force(speed.high)?,
+        })
+    }
+
     pub(super) fn page(&self) -> Result<String, Failure> {
         let rows = self
             .levels
@@ -92,10 +104,16 @@ impl Drops {
             || "without a damage constant, weak blows leave no trace".into(),
             |constant| format!("damage constant {}", number(constant)),
         );
-        let speed = fit.median.map(|energy| (2.0 * energy).sqrt());
-        let force = self.force(speed.best).map_or_else(
+        let speed = median_speed(fit);
+        let force = self.median_force(fit).map_or_else(
             || "give --pellet for its force".into(),
-            |force| format!("{} N by Hertz, elastic", number(force)),
+            |force| {
+                format!(
+                    "{} N, {} N by Hertz, elastic",
+                    number(force.best),
+                    between(force)
+                )
+            },
         );
         format!(
             "fracture energy: half break at {} J/kg, {} J/kg; deviation {}, {}\nthat is a drop at {} m/s, {} m/s: {force}\n{damage}",
@@ -127,6 +145,8 @@ impl Drops {
             .collect::<Result<Value, Failure>>()?;
         let fit = match &self.fit {
             Ok(fit) => json!({
+                "median_elastic_force_n": self.median_force(fit).map(|force| force.best),
+                "median_elastic_force_interval_n": self.median_force(fit).map(|force| [force.low, force.high]),
                 "median_j_per_kg": fit.median.best,
                 "median_interval_j_per_kg": [fit.median.low, fit.median.high],
                 "deviation": fit.deviation.best,
@@ -137,4 +157,9 @@ impl Drops {
         };
         Ok(json!({ "levels": levels, "fit": fit }))
     }
+}
+
+/// Speed at which half of the pellets break [m/s].
+fn median_speed(fit: &DropFit) -> Interval {
+    fit.median.map(|energy| (2.0 * energy).sqrt())
 }
