@@ -78,3 +78,16 @@ pub(crate) fn not_negative(
         expected: "0 or more",
     })
 }
+
+/// Refuses a sample that leaves no scatter to see; none counts as exact.
+pub(crate) fn sample(size: Option<u32>) -> Result<(), ImpactError> {
+    match size {
+        Some(size) if size < 2 => Err(ImpactError::OutOfBounds {
+            quantity: "sample size of the test",
+            value: f64::from(size),
+            unit: "",
+            expected: "at least 2, or none where the numbers count as exact",
+        }),
+        _ => Ok(()),
+    }
+}

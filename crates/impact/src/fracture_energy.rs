@@ -3,7 +3,7 @@
 //! Per mass of the pellet, as the energy of a blow is. It is log-normal with an upper end: the share that breaks under
 //! `E` is that of the log-normal distribution under `E* = E E_max / (E_max − E)`.
 
-use crate::error::{ImpactError, positive};
+use crate::error::{ImpactError, not_negative, positive, sample};
 use crate::scatter::ScatterLaw;
 use crate::share_band::ShareBand;
 
@@ -68,7 +68,7 @@ impl FractureEnergy {
                 exponent,
             } => {
                 positive("fracture energy of large pellets", "J/kg", large)?;
-                crate::error::not_negative("ratio of stiffnesses", "", stiffness_ratio)?;
+                not_negative("ratio of stiffnesses", "", stiffness_ratio)?;
                 positive("characteristic diameter", "m", diameter)?;
                 positive("exponent of size", "", exponent)?;
             }
@@ -84,11 +84,7 @@ impl FractureEnergy {
             self.truncation.unwrap_or(1.0),
         )?;
         positive("damage constant", "", self.damage_constant.unwrap_or(1.0))?;
-        positive(
-            "sample size of the test",
-            "",
-            f64::from(self.sample_size.unwrap_or(1)),
-        )
+        sample(self.sample_size)
     }
 
     pub(crate) fn shares(&self) -> ShareBand {
@@ -154,6 +150,10 @@ mod tests {
             },
             FractureEnergy {
                 truncation: Some(f64::NAN),
+                ..PELLET
+            },
+            FractureEnergy {
+                sample_size: Some(1),
                 ..PELLET
             },
             FractureEnergy {

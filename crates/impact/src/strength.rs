@@ -1,6 +1,6 @@
 //! What load breaks a pellet, and how that scatters.
 
-use crate::error::{ImpactError, positive};
+use crate::error::{ImpactError, positive, sample};
 use crate::interval::Interval;
 use crate::pivots::Pivots;
 use crate::scatter::Scatter;
@@ -115,11 +115,7 @@ impl Strength {
             "m",
             self.test_diameter.unwrap_or(1.0),
         )?;
-        positive(
-            "sample size of the test",
-            "",
-            f64::from(self.sample_size.unwrap_or(1)),
-        )
+        sample(self.sample_size)
     }
 }
 
@@ -240,6 +236,13 @@ mod tests {
                 .expect_err("no strength")
                 .to_string();
             assert!(message.contains("strength is"), "{message}");
+        }
+        for size in [0, 1] {
+            let few = Strength {
+                sample_size: Some(size),
+                ..strength(Scatter::Fixed(1.0))
+            };
+            assert!(few.load(0.01, 0.011).is_err() && few.broken_between(1.0, 0.011).is_err());
         }
         for risk in [0.0, 1.0, -0.1, f64::NAN] {
             let refused = strength(Scatter::Fixed(1.0)).load(risk, 0.011);
