@@ -1,12 +1,14 @@
 //! What may stand on the command line.
 
 pub(crate) mod accuracy;
+pub(crate) mod card;
 pub(crate) mod hit;
 pub(crate) mod impact;
 pub(crate) mod quantity;
 pub(crate) mod safe_speed;
 
 use accuracy::AccuracyArguments;
+use card::CardArguments;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
@@ -23,6 +25,7 @@ Examples:
   pelletflow inspect out/hopper/run.mcap show what the recording holds
   pelletflow impact --figure 2           follow one hit, from 1 to 8 m/s, as in the paper
   pelletflow safe-speed --pellet fired-pellet --strength 2kN   tell how fast pellets may arrive
+  pelletflow card --crush loads.csv -o card.toml               make a strength card of a lab sheet
 
 Units: plain numbers in scenes and results are SI; scenes also take \"15 mm\", \"250 t/h\", \"60 MPa\", \"30 deg\".
 
@@ -63,6 +66,8 @@ pub(crate) enum Command {
     Impact(Box<ImpactArguments>),
     /// Tell how fast pellets may arrive before a share of them breaks.
     SafeSpeed(Box<SafeSpeedArguments>),
+    /// Make a strength card of the sheets of a laboratory.
+    Card(Box<CardArguments>),
     /// Run a scene over step sizes and integrators; show run time against error.
     Accuracy(AccuracyArguments),
     /// List the named materials with their sources.

@@ -1,6 +1,7 @@
 //! The commands, one file each.
 
 pub(crate) mod accuracy;
+pub(crate) mod card;
 pub(crate) mod check;
 pub(crate) mod completions;
 pub(crate) mod hit;
