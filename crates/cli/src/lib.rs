@@ -34,6 +34,7 @@ pub fn main_from(args: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Inspect(inspect) => commands::inspect::inspect(inspect),
         Command::Impact(impact) => commands::impact::impact(impact),
         Command::SafeSpeed(safe_speed) => commands::safe_speed::safe_speed(safe_speed),
+        Command::Score(arguments) => commands::score::score_hits(arguments),
         Command::Card(card) => commands::card::card(card),
         Command::Accuracy(accuracy) => commands::accuracy::accuracy(accuracy),
         Command::Materials(materials) => commands::materials::materials(materials),

@@ -13,6 +13,8 @@ use std::path::Path;
 pub(crate) const METADATA: &str = "pelletflow.hits";
 /// Its key of the threshold [N].
 pub(crate) const THRESHOLD: &str = "threshold_n";
+/// Its key that tells whether some material is softer than it really is.
+pub(crate) const IS_SOFTENED: &str = "is_softened";
 /// Its key of the names of the walls, as a JSON list.
 pub(crate) const WALLS: &str = "walls";
 
@@ -27,7 +29,9 @@ pub struct RecordedHits {
     pub walls: Vec<String>,
     /// Force from which on every hit is kept in full [N].
     pub threshold: f64,
-    /// Pellets seen in the last frame or before [-].
+    /// Whether some material was softer in the run than it really is.
+    pub is_softened: bool,
+    /// Pellets put in up to the last frame [-].
     pub pellets: u64,
     /// Moment of the last record [s].
     pub end: f64,
@@ -57,6 +61,7 @@ pub fn read_hits(path: impl AsRef<Path>) -> Result<RecordedHits, ReadError> {
                 read.threshold = entry(THRESHOLD)
                     .parse()
                     .map_err(|error| damaged(format!("the threshold of its hits: {error}")))?;
+                read.is_softened = entry(IS_SOFTENED) == "true";
                 read.walls = serde_json::from_str(entry(WALLS))
                     .map_err(|error| damaged(format!("the walls of its hits: {error}")))?;
             }

@@ -12,3 +12,4 @@ pub(crate) mod new;
 pub(crate) mod run;
 pub(crate) mod safe_speed;
 pub(crate) mod schema;
+pub(crate) mod score;

@@ -9,7 +9,7 @@ pub(crate) use due::Due;
 pub(crate) use frame::{DrawnPellet, Frame};
 pub(crate) use recorder::{Entry, Recorder, RecordingTimes, Stopped};
 
-use crate::hits::{METADATA, THRESHOLD, WALLS};
+use crate::hits::{IS_SOFTENED, METADATA, THRESHOLD, WALLS};
 use crate::message::equipment::Equipment;
 use crate::message::event::{self, Gravity};
 use crate::message::{hits, nanoseconds, pellets, series, spheres, transforms, worst};
@@ -258,11 +258,16 @@ fn hit_channels<W: Write + Seek>(
     let Some(request) = &setup.hits else {
         return Ok(None);
     };
+    let is_softened = setup
+        .materials
+        .iter()
+        .any(|named| named.true_material() != named.material);
     let walls: Vec<&str> = setup.walls.iter().map(|wall| wall.name.as_str()).collect();
     writer.write_metadata(&Metadata {
         name: METADATA.into(),
         metadata: BTreeMap::from([
             (THRESHOLD.into(), request.threshold.to_string()),
+            (IS_SOFTENED.into(), is_softened.to_string()),
             (WALLS.into(), serde_json::json!(walls).to_string()),
         ]),
     })?;
