@@ -2,7 +2,7 @@
 
 use super::quantity::force;
 use clap::{Args, ValueEnum};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 #[derive(Debug, Args)]
 #[command(after_help = "\
@@ -53,7 +53,10 @@ pub(crate) enum LawName {
 /// What begins as a number is a load, all else a card.
 fn strength(text: &str) -> Result<StrengthArgument, String> {
     let is_number = text.starts_with(|first: char| first.is_ascii_digit() || "+-.".contains(first));
-    if is_number && !text.ends_with(".toml") {
+    let is_file = Path::new(text)
+        .extension()
+        .is_some_and(|ending| ending == "toml");
+    if is_number && !is_file {
         force(text).map(StrengthArgument::Load)
     } else {
         Ok(StrengthArgument::Card(text.into()))

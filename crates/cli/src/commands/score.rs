@@ -24,7 +24,22 @@ pub(crate) fn score_hits(arguments: &ScoreArguments) -> Result<Exit, Failure> {
         .sort_by(|one, other| one.peak_time.total_cmp(&other.peak_time));
     let as_simulated = Scored::new(&law, &recorded, |hit| hit.peak_force)?;
     let at_true_stiffness = Scored::new(&law, &recorded, Hit::true_force)?;
-    let groups = Groups::new(&recorded, &as_simulated, arguments.places);
+    // Of a softened run, the forces at true stiffness tell where pellets break.
+    let groups = if recorded.is_softened {
+        Groups::new(
+            &recorded,
+            &at_true_stiffness,
+            Hit::true_force,
+            arguments.places,
+        )
+    } else {
+        Groups::new(
+            &recorded,
+            &as_simulated,
+            |hit| hit.peak_force,
+            arguments.places,
+        )
+    };
     let answer = Answer::new(
         &recorded,
         &law,

@@ -138,13 +138,19 @@ fn schema(name: &str, columns: &[(&str, Type)]) -> Schema {
     )
 }
 
+/// Index of a wall as it is written; of none, and of one beyond all numbers, that of no wall.
+fn wall_number(wall: Option<usize>) -> i32 {
+    wall.and_then(|wall| i32::try_from(wall).ok())
+        .unwrap_or(NO_WALL)
+}
+
 /// Hits as a message.
 pub(crate) fn message(hits: &[Hit]) -> Hits {
     let mut block = Hits::default();
     for hit in hits {
         let (wall, partner, partner_diameter, partner_mass) = match hit.partner {
             HitPartner::Pellet { id, diameter, mass } => (NO_WALL, id, diameter, mass),
-            HitPartner::Wall(wall) => (wall as i32, 0, 0.0, 0.0),
+            HitPartner::Wall(wall) => (wall_number(Some(wall)), 0, 0.0, 0.0),
         };
         block.peak_time_s.push(hit.peak_time);
         block.begin_s.push(hit.begin);
@@ -228,9 +234,7 @@ pub(crate) fn hits(block: &Hits) -> Result<Vec<Hit>, String> {
 pub(crate) fn classes_message(classes: &BTreeMap<HitClassKey, HitClass>) -> HitClasses {
     let mut block = HitClasses::default();
     for (key, class) in classes {
-        block
-            .wall
-            .push(key.wall.map_or(NO_WALL, |wall| wall as i32));
+        block.wall.push(wall_number(key.wall));
         block.force_class.push(key.force_class);
         block.least_force_n.push(key.forces()[0]);
         block.count.push(class.count);

@@ -30,7 +30,7 @@ pub(crate) fn message(hit: &Hit, rank: usize, text: &str) -> SceneUpdate {
             id: format!("hit {rank}"),
             lifetime: Some(Duration::new(SHOWN_FOR, 0)),
             spheres: vec![SpherePrimitive {
-                pose: Some(pose.clone()),
+                pose: Some(pose),
                 size: Some(vector(Vec3::repeat(size))),
                 color: Some(Color {
                     a: 0.5,

@@ -11,6 +11,9 @@ use serde_json::{Value, json};
 /// Fewest steps of a hit whose peak force holds to some percent [-].
 const FEW_STEPS: u64 = 8;
 
+/// Share below which no distribution can be believed [-].
+const LEAST_SHARE: f64 = 1.0e-6;
+
 /// Shares of pellets broken, and what they rest on.
 pub(super) struct Answer<'a> {
     recorded: &'a RecordedHits,
@@ -61,6 +64,15 @@ impl<'a> Answer<'a> {
 
     fn share(&self, broken: Interval) -> Interval {
         broken.map(|broken| (broken / self.pellets()).min(1.0))
+    }
+
+    /// Standard deviation of the number broken, by the luck of the draw of each pellet's strength, by the forces told [-].
+    fn luck(&self) -> f64 {
+        if self.recorded.is_softened {
+            self.at_true_stiffness.luck()
+        } else {
+            self.as_simulated.luck()
+        }
     }
 
     /// Hits in the sketch that are not recorded in full.
@@ -114,7 +126,6 @@ impl<'a> Answer<'a> {
     }
 
     pub(super) fn page(&self) -> String {
-        let percent = |share: f64| format!("{} %", number(100.0 * share));
         let total = |name: &str, scored: &Scored| {
             let share = self.share(scored.broken());
             [
@@ -131,6 +142,11 @@ impl<'a> Answer<'a> {
                 self.at_true_stiffness,
             ));
         }
+        let forces = if self.recorded.is_softened {
+            "at true stiffness"
+        } else {
+            "of the run"
+        };
         let mut sections = vec![
             format!(
                 "{}\n{} pellets, {} hits, {} of them recorded in full",
@@ -147,6 +163,7 @@ impl<'a> Answer<'a> {
             ),
             table::listing(["", "share", "interval", "pellets"], &[1, 2, 3], totals),
         ];
+        sections.push(format!("by the forces {forces}:"));
         for (title, groups) in [
             ("cause", &self.groups.by_cause),
             ("hit by", &self.groups.by_wall),
@@ -181,7 +198,7 @@ impl<'a> Answer<'a> {
         sections.push(format!(
             "{basis}the draw of {} strengths adds ± {} pellets (standard deviation)",
             count(self.recorded.pellets),
-            number(self.as_simulated.luck())
+            number((10.0 * self.luck()).round() / 10.0)
         ));
         let warnings: Vec<String> = self
             .warnings()
@@ -197,12 +214,8 @@ impl<'a> Answer<'a> {
             let share = self.share(group.broken);
             [
                 group.name.clone(),
-                format!("{} %", number(100.0 * share.best)),
-                format!(
-                    "{} to {} %",
-                    number(100.0 * share.low),
-                    number(100.0 * share.high)
-                ),
+                percent(share.best),
+                format!("{} to {}", percent(share.low), percent(share.high)),
                 count(group.blows),
                 number(group.worst_force),
             ]
@@ -240,7 +253,7 @@ impl<'a> Answer<'a> {
             "is_cut_off": self.recorded.is_cut_off,
             "broken": share(self.as_simulated.broken()),
             "broken_at_true_stiffness": share(self.at_true_stiffness.broken()),
-            "luck_pellets": self.as_simulated.luck(),
+            "luck_pellets": self.luck(),
             "by_cause": groups(&self.groups.by_cause),
             "by_wall": groups(&self.groups.by_wall),
             "by_size": groups(&self.groups.by_size),
@@ -248,5 +261,14 @@ impl<'a> Answer<'a> {
             "cube_side_m": self.groups.cube_side,
             "warnings": self.warnings(),
         })
+    }
+}
+
+/// A share as it stands in a table: what is next to nothing is no number.
+fn percent(share: f64) -> String {
+    if share > 0.0 && share < LEAST_SHARE {
+        format!("< {} %", chosen(100.0 * LEAST_SHARE))
+    } else {
+        format!("{} %", number(100.0 * share))
     }
 }

@@ -4,7 +4,7 @@ use super::Scored;
 use crate::table::number;
 use pelletflow_impact::Interval;
 use pelletflow_log::RecordedHits;
-use pelletflow_sim::{Cause, HitPartner};
+use pelletflow_sim::{Cause, Hit, HitPartner};
 use std::collections::BTreeMap;
 
 /// Sizes told one by one; of more, classes of equal width [-].
@@ -43,10 +43,16 @@ pub(super) struct Groups {
 }
 
 impl Groups {
-    /// Groups the blows, and tells the `places` where most breaks.
-    pub(super) fn new(recorded: &RecordedHits, scored: &Scored, places: usize) -> Self {
-        let by_cause = grouped(recorded, scored, |_, hit| recorded.hits[hit].cause);
-        let by_wall = grouped(recorded, scored, |_, hit| {
+    /// Groups the blows, whose forces are told by `force` [N], and tells the `places` where most breaks.
+    pub(super) fn new(
+        recorded: &RecordedHits,
+        scored: &Scored,
+        force: impl Fn(&Hit) -> f64,
+        places: usize,
+    ) -> Self {
+        let force = &force;
+        let by_cause = grouped(recorded, scored, force, |_, hit| recorded.hits[hit].cause);
+        let by_wall = grouped(recorded, scored, force, |_, hit| {
             match recorded.hits[hit].partner {
                 HitPartner::Wall(wall) => Some(wall),
                 HitPartner::Pellet { .. } => None,
@@ -64,11 +70,11 @@ impl Groups {
             };
             (class as usize).min(SIZES - 1)
         };
-        let by_size = grouped(recorded, scored, |blow, _| {
+        let by_size = grouped(recorded, scored, force, |blow, _| {
             class(scored.blows[blow].diameter)
         });
         let cube_side = CUBE_SIDE * largest;
-        let by_place = grouped(recorded, scored, |_, hit| {
+        let by_place = grouped(recorded, scored, force, |_, hit| {
             let place = recorded.hits[hit].place;
             [0, 1, 2].map(|axis| (place[axis] / cube_side).floor() as i64)
         });
@@ -113,6 +119,7 @@ impl Groups {
 fn grouped<K: Ord>(
     recorded: &RecordedHits,
     scored: &Scored,
+    force: impl Fn(&Hit) -> f64,
     key: impl Fn(usize, usize) -> K,
 ) -> BTreeMap<K, Group> {
     let mut members: BTreeMap<K, Vec<usize>> = BTreeMap::new();
@@ -124,7 +131,7 @@ fn grouped<K: Ord>(
         .map(|(key, blows)| {
             let forces = blows
                 .iter()
-                .map(|&blow| recorded.hits[scored.hits[blow]].peak_force);
+                .map(|&blow| force(&recorded.hits[scored.hits[blow]]));
             let group = Group {
                 name: String::new(),
                 worst_force: forces.fold(0.0, f64::max),
