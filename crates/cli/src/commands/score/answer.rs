@@ -132,7 +132,11 @@ impl<'a> Answer<'a> {
                 name.to_owned(),
                 percent(share.best),
                 format!("{} to {}", percent(share.low), percent(share.high)),
-                number(scored.broken().best),
+                if share.best < LEAST_SHARE {
+                    "0".into()
+                } else {
+                    number(scored.broken().best)
+                },
             ]
         };
         let mut totals = vec![total("broken, by the forces of the run", self.as_simulated)];
