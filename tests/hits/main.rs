@@ -101,7 +101,7 @@ fn a_hit_alone_is_that_of_the_solver_of_impacts() {
                     let lost = brought * (1.0 - restitution.powi(2));
                     let error = (hit.lost_energy - lost).abs() / brought;
                     // Heat is the sum of a dozen samples, of which the last is not located.
-                    assert!(error < 1.0e-2, "{which}: lost {error:.5}");
+                    assert!(error < 1.5e-2, "{which}: lost {error:.5}");
                     let step = hit.duration / hit.steps as f64;
                     // Damped bodies still overlap when their force is gone.
                     let longer = (hit.duration - exact.contact_time) / step;

@@ -9,6 +9,7 @@ mod course;
 mod ending;
 mod error;
 mod frames;
+mod hit_summary;
 mod hits;
 mod inspect;
 mod layout;
@@ -26,14 +27,15 @@ mod worst_hits;
 
 pub use error::{ReadError, RunError};
 pub use frames::{FrameRecord, Frames, PelletRecord, read_attachment, read_frames};
+pub use hit_summary::HitSummary;
 pub use hits::{RecordedHits, read_hits};
 pub use inspect::{AttachmentInspection, ChannelInspection, Inspection, inspect};
 pub use plot::{Axis, Chart, ChartError, Scale, Series, SeriesStyle};
 pub use profile::{PhaseCost, Profile};
 pub use run::{Progress, RunRequest, run};
 pub use summary::{
-    BodySummary, ContactSummary, Ended, EnergySummary, HitSummary, MassSummary, MeterSummary,
-    PatchSummary, PerformanceSummary, SkippedSummary, Summary, TallySummary, TimeSummary,
+    BodySummary, ContactSummary, Ended, EnergySummary, MassSummary, MeterSummary, PatchSummary,
+    PerformanceSummary, SkippedSummary, Summary, TallySummary, TimeSummary,
 };
 pub use surface::Mesh;
 pub use worst_hits::WorstHits;

@@ -5,7 +5,7 @@ use super::{Contact, ContactHistory};
 use crate::MaterialPair;
 
 /// Parts of a step in which the top is sought [-].
-const PARTS: u32 = 8;
+const PARTS: u32 = 4;
 
 /// Overlap and its rate.
 #[derive(Debug, Clone, Copy)]
@@ -54,7 +54,8 @@ pub(super) fn top_near<N: Normal>(
     let ahead = advanced(motion, part, contact.effective_mass, force_of);
     let time = if value_of(ahead) > here { part } else { -part };
     let mut last = [here, here];
-    for _ in 0..steps * PARTS {
+    // A top at the very end shows itself one part later.
+    for _ in 0..=steps * PARTS {
         motion = advanced(motion, time, contact.effective_mass, force_of);
         let value = value_of(motion);
         if value <= last[1] {
