@@ -81,7 +81,6 @@ impl Turnings for Chosen {
 /// A contact's normal direction at a sample.
 struct Touch {
     sample: Sample,
-    predicted: NormalForce,
     predicted_speed: f64,
 }
 
@@ -96,13 +95,8 @@ pub(super) fn force<N: Normal, T: Tangential, W: Turnings>(
 ) -> ContactForce {
     let mut touch = touch::<N>(contact, pair, history, sampling);
     if touch.sample.is_edge {
-        touch.sample = sampling.at_edge::<N>(
-            contact,
-            &touch.predicted,
-            touch.predicted_speed,
-            history.normal_force,
-            touch.sample,
-        );
+        touch.sample =
+            sampling.at_edge::<N>(contact, pair, touch.predicted_speed, history, touch.sample);
     }
     composed::<T, W>(contact, pair, turnings, &touch, history, sampling)
 }
@@ -239,8 +233,7 @@ fn touch<N: Normal>(
     let predicted_speed = -contact.relative_velocity.dot(&contact.normal);
     let predicted = N::force(contact, pair, history, predicted_speed);
     Touch {
-        sample: sampling.smooth::<N>(contact, &predicted, predicted_speed, history.normal_force),
-        predicted,
+        sample: sampling.smooth::<N>(contact, &predicted, predicted_speed, history),
         predicted_speed,
     }
 }
@@ -268,6 +261,11 @@ fn composed<T: Tangential, W: Turnings>(
         contact.overlap
     } else {
         history.deepest_overlap
+    };
+    history.samples = if applied.is_touching {
+        history.samples + 1.0
+    } else {
+        0.0
     };
     history.normal_force = if !applied.is_touching {
         0.0

@@ -8,9 +8,11 @@
 //! has changed since the last sample, and it takes off the leading error of the leapfrog, `Δt² S / 12 m*` of the force
 //! (the force gradient of Takahashi & Imada 1984 for one contact).
 
-use super::Contact;
+use super::beginning::{Beginning, Kick};
 use super::normal::{Normal, NormalForce};
 use super::peak::Motion;
+use super::{Contact, ContactHistory};
+use crate::MaterialPair;
 
 /// A rule by which samples of a force stand for its integral.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -103,15 +105,16 @@ impl Sampling {
         }
     }
 
-    /// The sample in the smooth middle of a contact, whose force was `last_force` [N] at the sample before.
+    /// The sample in the smooth middle of a contact.
     #[inline(always)]
     pub(super) fn smooth<N: Normal>(
         &self,
         contact: &Contact,
         predicted: &NormalForce,
         predicted_speed: f64,
-        last_force: f64,
+        history: &ContactHistory,
     ) -> Sample {
+        let last_force = history.normal_force;
         let inverse_mass = contact.inverse_mass;
         let speed =
             predicted_speed - self.completion * inverse_mass * (predicted.force - last_force);
@@ -130,7 +133,7 @@ impl Sampling {
             speed,
             law,
             applied: law,
-            is_edge: (begins || ends) && self.gradient > 0.0,
+            is_edge: (begins || ends || history.samples == 1.0) && self.gradient > 0.0,
             elapsed: if begins {
                 0.5 * self.time_step
             } else {
@@ -155,55 +158,85 @@ impl Sampling {
     pub(super) fn at_edge<N: Normal>(
         &self,
         contact: &Contact,
-        predicted: &NormalForce,
+        pair: &MaterialPair,
         predicted_speed: f64,
-        last_force: f64,
+        history: &ContactHistory,
         smooth: Sample,
     ) -> Sample {
+        let beginning = |speed: f64, share: f64| Beginning {
+            contact,
+            pair,
+            history,
+            speed,
+            share: share.min(1.0),
+            time_step: self.time_step,
+        };
+        let last_force = history.normal_force;
         if last_force == 0.0 {
             let share = contact.overlap / (predicted_speed * self.time_step);
-            let is_first = share > 0.0 && share <= LATEST_FIRST_SAMPLE;
-            if !is_first {
+            if !is_in_first_step(predicted_speed, share) {
                 return smooth;
             }
-            let begun = first::<N>(predicted, predicted_speed, share);
-            // A step's work is its impulse times the mean of the velocities before and after.
-            let mean_speed = predicted_speed - self.completion * begun.force * contact.inverse_mass;
+            let kick = beginning(predicted_speed, share).first::<N>();
+            let share = share.min(1.0);
             return Sample {
                 speed: predicted_speed,
-                applied: NormalForce {
-                    dissipation: (begun.force - begun.elastic) * mean_speed,
-                    ..begun
-                },
-                elapsed: share.min(1.0) * self.time_step,
-                behind: (weight(N::DAMPING_POWER, share.min(1.0)) - 0.5) * self.time_step,
+                elapsed: share * self.time_step,
+                behind: (weight(N::DAMPING_POWER, share) - 0.5) * self.time_step,
+                ..self.kicked(kick, contact, predicted_speed, smooth)
+            };
+        }
+        // The bodies part at the speed that this sample leaves them with.
+        let completed = smooth.law.at_speed(smooth.speed);
+        let parting = smooth.speed - self.completion * completed.force * contact.inverse_mass;
+        let share = completed.elastic_overlap / (-parting * self.time_step);
+        if let Some(force) = last::<N>(&completed, smooth.speed, share) {
+            return Sample {
+                applied: NormalForce { force, ..completed },
                 ..smooth
             };
         }
-        let completed = predicted.at_speed(smooth.speed);
-        // The bodies part at the speed that this sample leaves them with.
-        let parting = smooth.speed - self.completion * completed.force * contact.inverse_mass;
-        let share = completed.elastic_overlap / (-parting * self.time_step);
-        match last::<N>(&completed, smooth.speed, share) {
-            Some(force) => Sample {
-                applied: NormalForce { force, ..completed },
-                ..smooth
+        if history.samples == 1.0 {
+            let last_slowing = self.time_step * last_force * contact.inverse_mass;
+            let between = predicted_speed + 0.5 * last_slowing;
+            let speed = between + last_slowing;
+            let share = (contact.overlap / self.time_step - between) / speed;
+            if is_in_first_step(speed, share) {
+                let kick = beginning(speed, share).second::<N>();
+                // What else met the bodies since may have made another beginning of it; no law that ends at zero pulls.
+                if kick.force >= 0.0 || !N::ENDS_AT_ZERO {
+                    return self.kicked(kick, contact, between, smooth);
+                }
+            }
+        }
+        smooth
+    }
+
+    /// A sample whose force is that of a kick at a speed [m/s].
+    fn kicked(&self, kick: Kick, contact: &Contact, speed: f64, smooth: Sample) -> Sample {
+        // A step's work is its impulse times the mean of the velocities before and after.
+        let mean_speed = speed - self.completion * kick.force * contact.inverse_mass;
+        let of_damping = if smooth.law.damping > 0.0 {
+            kick.force - kick.elastic
+        } else {
+            0.0
+        };
+        Sample {
+            applied: NormalForce {
+                force: kick.force,
+                elastic: kick.elastic,
+                dissipation: of_damping * mean_speed,
+                ..smooth.law
             },
-            None => smooth,
+            ..smooth
         }
     }
 }
 
-/// The first sample of a contact, a share of a step after first touch.
-fn first<N: Normal>(law: &NormalForce, speed: f64, share: f64) -> NormalForce {
-    let share = share.min(1.0);
-    let elastic = law.elastic * weight(N::ELASTIC_POWER, share);
-    NormalForce {
-        elastic,
-        damping: law.damping * weight(N::DAMPING_POWER, share),
-        ..*law
-    }
-    .at_speed(speed)
+/// Whether a contact of bodies that arrive at a speed [m/s] has begun within the step before its first sample, a share of a
+/// step after first touch.
+fn is_in_first_step(speed: f64, share: f64) -> bool {
+    speed > 0.0 && share > 0.0 && share <= LATEST_FIRST_SAMPLE
 }
 
 /// What a sample at `share` of a step from where `F ∝ sᵖ` begins is multiplied by, so that the sum is the integral [-].
