@@ -97,7 +97,7 @@ impl Tally {
     ) {
         let (laws, sampling) = (model.laws(), model.sampling());
         if normal_force > self.noteworthy_force() {
-            let peak = laws.peak_force_near(contact, pair, history, sampling);
+            let peak = laws.peak_force_near(1, contact, pair, history, sampling);
             self.max_force = self.max_force.max(peak);
         }
         if depth.ratio > LIKELY_RECORD * self.max_overlap_ratio {

@@ -198,9 +198,9 @@ pub(super) fn forces<N: Normal, T: Tangential, W: Turnings>(
     });
 }
 
-/// Greatest force or overlap within two steps of a sample; that of the sample where the top is farther away.
+/// Greatest force or overlap within a number of steps of a sample; that of the sample where the top is farther away.
 pub(super) fn peak_near<N: Normal>(
-    quantity: Quantity,
+    (quantity, steps): (Quantity, u32),
     contact: &Contact,
     pair: &MaterialPair,
     history: &ContactHistory,
@@ -219,8 +219,8 @@ pub(super) fn peak_near<N: Normal>(
         Quantity::Force => touch.sample.law.force,
         Quantity::Overlap => contact.overlap,
     };
-    let time_step = sampling.time_step();
-    peak::top_near::<N>(quantity, contact, pair, history, from, time_step).unwrap_or(sampled)
+    let within = (steps, sampling.time_step());
+    peak::top_near::<N>(quantity, contact, pair, history, from, within).unwrap_or(sampled)
 }
 
 #[inline(always)]

@@ -192,19 +192,20 @@ impl ContactLaws {
         }
     }
 
-    /// Greatest normal force within two steps of a sample [N]; that of the sample where the top is farther away.
+    /// Greatest normal force within a number of steps of a sample [N]; that of the sample where the top is farther away.
     pub fn peak_force_near(
         &self,
+        steps: u32,
         contact: &Contact,
         pair: &MaterialPair,
         history: &ContactHistory,
         sampling: &Sampling,
     ) -> f64 {
-        let quantity = Quantity::Force;
+        let quantity = (Quantity::Force, steps);
         with_normal!(self, peak_near[](quantity, contact, pair, history, sampling))
     }
 
-    /// Greatest overlap within two steps of a sample [m]; that of the sample where the top is farther away.
+    /// Greatest overlap within a step of a sample [m]; that of the sample where the top is farther away.
     pub fn peak_overlap_near(
         &self,
         contact: &Contact,
@@ -212,7 +213,7 @@ impl ContactLaws {
         history: &ContactHistory,
         sampling: &Sampling,
     ) -> f64 {
-        let quantity = Quantity::Overlap;
+        let quantity = (Quantity::Overlap, 1);
         with_normal!(self, peak_near[](quantity, contact, pair, history, sampling))
     }
 

@@ -101,7 +101,8 @@ impl Trace {
         }
         let (laws, sampling) = (model.laws(), model.sampling());
         let history = batch.history(lane, laws);
-        let top = laws.peak_force_near(&contact, pair, &history, sampling);
+        // It lies up to one and a half steps before this sample.
+        let top = laws.peak_force_near(2, &contact, pair, &history, sampling);
         self.top_force = self.top_force.max(top as f32);
     }
 
