@@ -3,6 +3,7 @@
 use super::batch::{self, Batch, Lanes};
 use super::laws::TurningLaw;
 use super::memory::Extra;
+use super::motion::{Alone, Motion};
 use super::normal::{Normal, NormalForce};
 use super::peak::{self, Quantity};
 use super::sampling::{Sample, Sampling};
@@ -95,8 +96,12 @@ pub(super) fn force<N: Normal, T: Tangential, W: Turnings>(
 ) -> ContactForce {
     let mut touch = touch::<N>(contact, pair, history, sampling);
     if touch.sample.is_edge {
-        touch.sample =
-            sampling.at_edge::<N>(contact, pair, touch.predicted_speed, history, touch.sample);
+        let alone = Alone {
+            contact,
+            pair,
+            history,
+        };
+        touch.sample = sampling.at_edge::<N>(&alone, touch.predicted_speed, touch.sample);
     }
     composed::<T, W>(contact, pair, turnings, &touch, history, sampling)
 }
@@ -208,19 +213,24 @@ pub(super) fn peak_near<N: Normal>(
 ) -> f64 {
     let touch = touch::<N>(contact, pair, history, sampling);
     let from = if history.normal_force == 0.0 {
-        peak::Motion {
+        Motion {
             overlap: contact.overlap,
             speed: touch.predicted_speed,
         }
     } else {
-        sampling.true_motion::<N>(contact, &touch.sample)
+        sampling.true_motion::<N>(contact, touch.sample.speed, &touch.sample.law)
     };
     let sampled = match quantity {
         Quantity::Force => touch.sample.law.force,
         Quantity::Overlap => contact.overlap,
     };
     let within = (steps, sampling.time_step());
-    peak::top_near::<N>(quantity, contact, pair, history, from, within).unwrap_or(sampled)
+    let alone = Alone {
+        contact,
+        pair,
+        history,
+    };
+    peak::top_near::<N>(quantity, &alone, from, within).unwrap_or(sampled)
 }
 
 #[inline(always)]
