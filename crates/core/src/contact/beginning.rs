@@ -44,6 +44,20 @@ impl Beginning<'_> {
         self.force_over(by_both - 2.0 * by_first)
     }
 
+    /// Work on the spring that falls to the first sample [J], whose force over the step is this [N].
+    ///
+    /// That up to the second sample, less what samples of a smooth force count of it from there on (Euler and Maclaurin).
+    pub(super) fn spring_work<N: Normal>(&self, first_kick: f64) -> f64 {
+        let way = self.speed * self.time_step - self.way_of(first_kick);
+        let second_sample = Motion {
+            overlap: self.alone.contact.overlap + way,
+            speed: self.speed,
+        };
+        let law = self.alone.force::<N>(second_sample);
+        law.elastic_energy + law.spring_heat
+            - way * (0.5 * law.elastic - way * law.stiffness / 12.0)
+    }
+
     /// The motion at the second sample.
     fn to_second<N: Normal>(&self) -> Motion {
         let end = (self.share + 1.0) * self.time_step;

@@ -51,9 +51,6 @@ pub(super) struct Sample {
 /// Samples of a contact that its beginning takes; beyond, samples stand for a smooth motion [-].
 const SAMPLES_OF_BEGINNING: f64 = 3.0;
 
-/// Time since first touch, over a step, beyond which a contact has not begun in this step [-].
-const LATEST_FIRST_SAMPLE: f64 = 1.5;
-
 impl Sampling {
     /// The bare law at every sample, over steps of `time_step` [s].
     pub fn plain(time_step: f64) -> Self {
@@ -194,21 +191,28 @@ impl Sampling {
     /// The first sample of a contact.
     fn at_first<N: Normal>(&self, alone: &Alone<'_>, speed: f64, smooth: Sample) -> Sample {
         let share = alone.contact.overlap / (speed * self.time_step);
-        if !is_in_first_step(speed, share) {
+        let Some(share) = share_of_first(speed, share).filter(|share| *share > 0.0) else {
             return smooth;
-        }
-        let share = share.min(1.0);
-        let elastic = smooth.law.elastic * weight(N::ELASTIC_POWER, share);
-        let force = if smooth.law.damping == 0.0 {
-            elastic
+        };
+        let (force, dissipation) = if smooth.law.damping == 0.0 {
+            (smooth.law.elastic * weight(N::ELASTIC_POWER, share), 0.0)
         } else {
-            self.beginning(alone, speed, share).first_kick::<N>()
+            let beginning = self.beginning(alone, speed, share);
+            let force = beginning.first_kick::<N>();
+            let stored = beginning.spring_work::<N>(force);
+            let power = force * self.mean_speed(force, alone.contact, speed);
+            (force, power - stored * self.rate)
         };
         Sample {
             speed,
+            applied: NormalForce {
+                force,
+                dissipation,
+                ..smooth.law
+            },
             elapsed: share * self.time_step,
             behind: (weight(N::DAMPING_POWER, share) - 0.5) * self.time_step,
-            ..self.kicked([force, elastic], alone.contact, speed, smooth)
+            ..smooth
         }
     }
 
@@ -221,17 +225,15 @@ impl Sampling {
     ) -> Sample {
         let [speed, between] = self.last_speeds(alone, predicted_speed);
         let share = (alone.contact.overlap / self.time_step - between) / speed;
-        if !is_in_first_step(speed, share) {
+        let Some(share) = share_of_first(speed, share) else {
             return smooth;
-        }
-        let force = self
-            .beginning(alone, speed, share.min(1.0))
-            .second_kick::<N>();
+        };
+        let force = self.beginning(alone, speed, share).second_kick::<N>();
         // What else met the bodies since may have made another beginning of it; no law that ends at zero pulls.
         if force < 0.0 && N::ENDS_AT_ZERO {
             return smooth;
         }
-        self.kicked([force, smooth.law.elastic], alone.contact, between, smooth)
+        self.kicked(force, alone.contact, between, smooth)
     }
 
     /// The last sample of an elastic contact.
@@ -276,7 +278,7 @@ impl Sampling {
         match release::speed_at_release::<N>(alone, from, self.time_step) {
             Some(speed) => {
                 let force = ((between - speed) * self.rate / inverse_mass).max(0.0);
-                self.kicked([force, smooth.law.elastic], alone.contact, between, smooth)
+                self.kicked(force, alone.contact, between, smooth)
             }
             None => smooth,
         }
@@ -298,32 +300,30 @@ impl Sampling {
         [between + slowing, between]
     }
 
-    /// A sample of a force that stands for the step and the spring's part of it [N], at the speed [m/s] before it.
-    fn kicked(
-        &self,
-        [force, elastic]: [f64; 2],
-        contact: &Contact,
-        speed: f64,
-        smooth: Sample,
-    ) -> Sample {
-        // A step's work is its impulse times the mean of the velocities before and after.
-        let mean_speed = speed - self.completion * force * contact.inverse_mass;
+    /// A sample of a force that stands for the step [N], at the speed [m/s] before it.
+    fn kicked(&self, force: f64, contact: &Contact, speed: f64, smooth: Sample) -> Sample {
+        let of_damping = force - smooth.law.elastic;
         Sample {
             applied: NormalForce {
                 force,
-                elastic,
-                dissipation: (force - elastic) * mean_speed,
+                dissipation: of_damping * self.mean_speed(force, contact, speed),
                 ..smooth.law
             },
             ..smooth
         }
     }
+
+    /// Mean of the speeds before and after a kick [m/s]: times its impulse, it is the work.
+    fn mean_speed(&self, force: f64, contact: &Contact, speed: f64) -> f64 {
+        speed - self.completion * force * contact.inverse_mass
+    }
 }
 
-/// Whether a contact of bodies that arrive at a speed [m/s] has begun within the step before its first sample, a share of a
-/// step after first touch.
-fn is_in_first_step(speed: f64, share: f64) -> bool {
-    speed > 0.0 && share > 0.0 && share <= LATEST_FIRST_SAMPLE
+/// Time from first touch to the first sample over a step [-], of bodies that arrive at a speed [m/s]; none where they have
+/// not touched first in that step, or nearly so.
+fn share_of_first(speed: f64, share: f64) -> Option<f64> {
+    let is_near = speed > 0.0 && (share - 0.5).abs() <= 1.0;
+    is_near.then(|| share.clamp(0.0, 1.0))
 }
 
 /// What a sample at `share` of a step from where `F ∝ sᵖ` begins is multiplied by, so that the sum is the integral [-].
