@@ -8,6 +8,8 @@ use pelletflow::sim::{Setup, SizeDistribution, StepRequest};
 pub(crate) const PELLETS: usize = 100_000;
 /// Smallest diameter [m].
 const SMALLEST: f64 = 3.0e-3;
+/// Extra reach of a neighbor list [m].
+const SKIN: f64 = 0.1 * 5.5 * SMALLEST;
 /// Classes from the smallest to ten times its size [-].
 const CLASSES: u32 = 5;
 /// Height of the region that pellets are put down in [m].
@@ -24,7 +26,7 @@ pub(crate) fn setup() -> Setup {
     };
     // The Rayleigh time goes with the size.
     setup.step = StepRequest::Fixed(silo::TIME_STEP * SMALLEST / silo::DIAMETER);
-    setup.skin = None;
+    setup.skin = Some(SKIN);
     setup
 }
 

@@ -16,7 +16,7 @@ struct Family {
     shared: &'static [&'static str],
 }
 
-const FAMILIES: [Family; 5] = [
+const FAMILIES: [Family; 6] = [
     Family {
         folder: "crates/core/src/shape",
         table: "mod.rs",
@@ -50,6 +50,13 @@ const FAMILIES: [Family; 5] = [
         folder: "crates/core/src/contact/turning",
         table: "../laws.rs",
         registry: "pub enum TurningLaw {",
+        filed_under: &[],
+        shared: &["mod"],
+    },
+    Family {
+        folder: "crates/impact/src/scatter",
+        table: "mod.rs",
+        registry: "pub enum Scatter {",
         filed_under: &[],
         shared: &["mod"],
     },
@@ -98,7 +105,7 @@ fn variants(text: &str, registry: &str) -> Vec<String> {
         .take_while(|line| *line != "}")
         .filter_map(|line| line.strip_prefix("    "))
         .filter(|line| line.starts_with(|first: char| first.is_ascii_uppercase()))
-        .filter_map(|line| line.split([' ', '{', ',']).next())
+        .filter_map(|line| line.split([' ', '{', ',', '(']).next())
         .map(str::to_owned)
         .collect();
     assert!(!names.is_empty(), "{registry} has no variants");

@@ -149,7 +149,7 @@ fn a_pellet_in_free_fall_stays_for_the_root_of_twice_the_height_over_gravity() {
     assert!((age - simulation.time()).abs() < 1.0e-12);
     advance_until(&mut simulation, 0.5);
     let whole = (2.0 * fall / G).sqrt();
-    let skin = simulation.model().skin();
+    let skin = simulation.state().skin;
     held(
         "meters",
         "residence time of a pellet in free fall",

@@ -1,18 +1,22 @@
 //! What may stand on the command line.
 
 pub(crate) mod accuracy;
+pub(crate) mod card;
 pub(crate) mod hit;
 pub(crate) mod impact;
 pub(crate) mod quantity;
 pub(crate) mod safe_speed;
+pub(crate) mod score;
 
 use accuracy::AccuracyArguments;
+use card::CardArguments;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
 use impact::ImpactArguments;
 use pelletflow_scene::{Override, TEMPLATES};
 use safe_speed::{MaterialsArguments, SafeSpeedArguments};
+use score::ScoreArguments;
 use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
@@ -21,8 +25,10 @@ Examples:
   pelletflow check hopper.toml           find every mistake; show what a run will do
   pelletflow run hopper.toml             run it; results go to out/hopper
   pelletflow inspect out/hopper/run.mcap show what the recording holds
+  pelletflow score out/hopper/run.mcap --strength 2kN   tell which pellets break, where and by what
   pelletflow impact --figure 2           follow one hit, from 1 to 8 m/s, as in the paper
   pelletflow safe-speed --pellet fired-pellet --strength 2kN   tell how fast pellets may arrive
+  pelletflow card --crush loads.csv -o card.toml               make a strength card of a lab sheet
 
 Units: plain numbers in scenes and results are SI; scenes also take \"15 mm\", \"250 t/h\", \"60 MPa\", \"30 deg\".
 
@@ -59,10 +65,14 @@ pub(crate) enum Command {
     New(NewArguments),
     /// Show what a recording holds.
     Inspect(InspectArguments),
+    /// Tell which of the recorded hits break pellets of a strength: how many, where, and by what.
+    Score(ScoreArguments),
     /// Follow one hit from first touch to release: force, time, pressure and the curves fitted to them.
     Impact(Box<ImpactArguments>),
     /// Tell how fast pellets may arrive before a share of them breaks.
     SafeSpeed(Box<SafeSpeedArguments>),
+    /// Make a strength card of the sheets of a laboratory.
+    Card(Box<CardArguments>),
     /// Run a scene over step sizes and integrators; show run time against error.
     Accuracy(AccuracyArguments),
     /// List the named materials with their sources.
@@ -151,10 +161,14 @@ pub(crate) struct NewArguments {
 #[command(after_help = "\
 Examples:
   pelletflow inspect out/hopper/run.mcap
+  pelletflow inspect out/hopper/run.mcap --worst 20   list the hardest hits
   pelletflow inspect out/hopper/run.mcap --json | jq '.channels[].topic'")]
 pub(crate) struct InspectArguments {
     /// Recording.
     pub(crate) recording: PathBuf,
+    /// List the hardest hits, so many of them, in place of what the file holds.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) worst: Option<u32>,
     /// Print JSON.
     #[arg(long)]
     pub(crate) json: bool,

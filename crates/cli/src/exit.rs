@@ -1,7 +1,7 @@
 //! How a command ends.
 
 use pelletflow_log::{ReadError, RunError};
-use pelletflow_scene::{Mistakes, SceneError, StrengthCardError};
+use pelletflow_scene::{LabSheetError, Mistakes, SceneError, StrengthCardError};
 use std::io;
 
 /// What the exit code says.
@@ -80,6 +80,17 @@ impl From<StrengthCardError> for Failure {
         match error {
             StrengthCardError::Invalid(mistakes) => mistakes.into(),
             StrengthCardError::Unreadable { ref source, .. } => {
+                Self::new(Exit::unreadable(source), error.to_string())
+            }
+        }
+    }
+}
+
+impl From<LabSheetError> for Failure {
+    fn from(error: LabSheetError) -> Self {
+        match error {
+            LabSheetError::Invalid(mistakes) => mistakes.into(),
+            LabSheetError::Unreadable { ref source, .. } => {
                 Self::new(Exit::unreadable(source), error.to_string())
             }
         }

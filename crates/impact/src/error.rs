@@ -16,6 +16,14 @@ pub enum ImpactError {
         /// The bound.
         expected: &'static str,
     },
+    /// A blow among many is not one.
+    #[error("blow {index}: {fault}")]
+    Blow {
+        /// Its place in the list, counted from 0 [-].
+        index: usize,
+        /// What is wrong with it.
+        fault: Box<ImpactError>,
+    },
     /// The solver did not reach the release.
     #[error("the hit has no end that the solver reaches: {reason}; lower the damping")]
     NoRelease {
@@ -52,4 +60,34 @@ pub(crate) fn positive(
         unit,
         expected: "more than 0",
     })
+}
+
+/// Refuses a quantity that is not finite, or less than nothing.
+pub(crate) fn not_negative(
+    quantity: &'static str,
+    unit: &'static str,
+    value: f64,
+) -> Result<(), ImpactError> {
+    if value >= 0.0 && value.is_finite() {
+        return Ok(());
+    }
+    Err(ImpactError::OutOfBounds {
+        quantity,
+        value,
+        unit,
+        expected: "0 or more",
+    })
+}
+
+/// Refuses a sample that leaves no scatter to see; none counts as exact.
+pub(crate) fn sample(size: Option<u32>) -> Result<(), ImpactError> {
+    match size {
+        Some(size) if size < 2 => Err(ImpactError::OutOfBounds {
+            quantity: "sample size of the test",
+            value: f64::from(size),
+            unit: "",
+            expected: "at least 2, or none where the numbers count as exact",
+        }),
+        _ => Ok(()),
+    }
 }

@@ -4,7 +4,8 @@
 
 use crate::ElasticImpact;
 use crate::error::{ImpactError, positive};
-use crate::strength::{Interval, Strength};
+use crate::interval::Interval;
+use crate::strength::Strength;
 
 /// Standard gravity [m/s²].
 const GRAVITY: f64 = 9.806_65;
@@ -81,7 +82,7 @@ pub fn speed_of_fall(height: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::strength::Scatter;
+    use crate::scatter::Scatter;
     use pelletflow_core::{Material, MaterialPair, PairProperties};
 
     fn hit(youngs_modulus: f64) -> ElasticImpact {

@@ -5,6 +5,7 @@ use crate::message::event::Gravity;
 use crate::recording::{Due, Entry, Recorder, RecordingTimes, Stopped};
 use crate::run::Progress;
 use crate::summary::Ended;
+use crate::worst_hits::{MARKED, WorstHits};
 use mcap::{McapError, McapResult};
 use pelletflow_sim::{RunPlan, Simulation, StepError};
 use std::fs::File;
@@ -16,6 +17,9 @@ use std::time::{Duration, Instant};
 const OBSERVER_INTERVAL: Duration = Duration::from_millis(20);
 /// Time by the wall clock after which a chunk ends even if it is small: what a killed run loses.
 const FLUSH_INTERVAL: Duration = Duration::from_secs(2);
+
+/// Hits at which their sketch is recorded again, over those in the last [-].
+const SKETCH_GROWTH: f64 = 1.1;
 
 /// Steps taken between two looks at the run, at most: each look wakes the threads anew.
 ///
@@ -51,6 +55,9 @@ pub(crate) struct Course<'scope> {
     last_frame: Option<u64>,
     /// Step of the last meter reading [-].
     last_reading: Option<u64>,
+    worst_hits: WorstHits,
+    /// Hits in the last sketch [-].
+    sketched: u64,
 }
 
 impl<'scope> Course<'scope> {
@@ -62,6 +69,8 @@ impl<'scope> Course<'scope> {
             is_present: Vec::new(),
             last_frame: None,
             last_reading: None,
+            worst_hits: WorstHits::new(MARKED),
+            sketched: 0,
         }
     }
 
@@ -79,7 +88,9 @@ impl<'scope> Course<'scope> {
             Err(Break::Recorder) => (Gravity::Failure, reason_of(Ended::Failed).to_owned()),
         };
         // A recorder that has stopped tells why when it is finished.
-        let _ = self.end(simulation, gravity, text);
+        let _ = self
+            .tell_last_hits(simulation)
+            .and_then(|()| self.end(simulation, gravity, text));
         let (finished, times) = self.finish();
         let outcome = match (outcome, finished) {
             (Err(Break::Physics(error)), _) => Err(Stop::Physics(error)),
@@ -120,6 +131,7 @@ impl<'scope> Course<'scope> {
                 self.read_meters(simulation)?;
             }
             if frame_due.is_now(time) {
+                self.tell_hits(simulation)?;
                 self.draw(simulation)?;
             }
             let now = Instant::now();
@@ -226,6 +238,48 @@ impl<'scope> Course<'scope> {
             time: simulation.time(),
             readings,
         })
+    }
+
+    /// Records the hits that have ended since the last time, and the sketch of all when it has grown.
+    fn tell_hits(&mut self, simulation: &mut Simulation) -> Result<(), Stopped> {
+        let hits = simulation.take_hits();
+        if hits.is_empty() {
+            return Ok(());
+        }
+        let time = simulation.time();
+        for hit in &hits {
+            self.worst_hits.enter(hit);
+        }
+        self.recorder.put(Entry::Hits { time, hits })?;
+        let ledger = &simulation.state().hits;
+        let count = ledger.total().count;
+        if count as f64 >= SKETCH_GROWTH * self.sketched as f64 {
+            self.sketched = count;
+            let classes = ledger.classes().clone();
+            self.recorder.put(Entry::HitClasses { time, classes })?;
+        }
+        Ok(())
+    }
+
+    /// Records the last hits, those still open too, the sketch of all, and the hardest.
+    fn tell_last_hits(&mut self, simulation: &mut Simulation) -> Result<(), Stopped> {
+        if simulation.model().setup().hits.is_none() {
+            return Ok(());
+        }
+        self.tell_hits(simulation)?;
+        let time = simulation.time();
+        let all = simulation.hits_with_open();
+        let hits = all.rows().to_vec();
+        for hit in &hits {
+            self.worst_hits.enter(hit);
+        }
+        self.recorder.put(Entry::Hits { time, hits })?;
+        let classes = all.classes().clone();
+        self.recorder.put(Entry::HitClasses { time, classes })?;
+        for (hit, rank) in self.worst_hits.as_slice().iter().zip(1..) {
+            self.recorder.put(Entry::WorstHit { hit: *hit, rank })?;
+        }
+        Ok(())
     }
 
     /// Records the end.

@@ -73,6 +73,12 @@ pub enum ReadError {
         /// The attachment asked for.
         name: String,
     },
+    /// No hits were followed in that run.
+    #[error("{} holds no hits: the run did not follow them; run the scene again without `hits = false` in its [output], by this version", path.display())]
+    NoHits {
+        /// The path asked for.
+        path: PathBuf,
+    },
     /// The file system refused.
     #[error("cannot read {}: {source}", path.display())]
     Io {

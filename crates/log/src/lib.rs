@@ -9,6 +9,7 @@ mod course;
 mod ending;
 mod error;
 mod frames;
+mod hits;
 mod inspect;
 mod layout;
 mod message;
@@ -21,15 +22,18 @@ mod records;
 mod run;
 mod summary;
 pub mod surface;
+mod worst_hits;
 
 pub use error::{ReadError, RunError};
 pub use frames::{FrameRecord, Frames, PelletRecord, read_attachment, read_frames};
+pub use hits::{RecordedHits, read_hits};
 pub use inspect::{AttachmentInspection, ChannelInspection, Inspection, inspect};
 pub use plot::{Axis, Chart, ChartError, Scale, Series, SeriesStyle};
 pub use profile::{PhaseCost, Profile};
 pub use run::{Progress, RunRequest, run};
 pub use summary::{
-    BodySummary, ContactSummary, Ended, EnergySummary, MassSummary, MeterSummary, PatchSummary,
-    PerformanceSummary, SkippedSummary, Summary, TallySummary, TimeSummary,
+    BodySummary, ContactSummary, Ended, EnergySummary, HitSummary, MassSummary, MeterSummary,
+    PatchSummary, PerformanceSummary, SkippedSummary, Summary, TallySummary, TimeSummary,
 };
 pub use surface::Mesh;
+pub use worst_hits::WorstHits;

@@ -32,6 +32,9 @@ pub struct Summary {
     pub mass: MassSummary,
     /// What contacts have done.
     pub contacts: ContactSummary,
+    /// Contacts followed from first touch to release; none where the scene asks for none.
+    #[serde(default)]
+    pub hits: Option<HitSummary>,
     /// Where the energy went.
     pub energy: EnergySummary,
     /// How fast it ran.
@@ -128,6 +131,39 @@ pub struct ContactSummary {
     pub finished: u64,
     /// Steps that the shortest of those lasted [-]; 0 where none did.
     pub fewest_steps_per_contact: u64,
+}
+
+/// Contacts followed from first touch to release, and those still open at the end.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct HitSummary {
+    /// How many [-].
+    pub count: u64,
+    /// How many of them are recorded in full [-].
+    pub recorded: u64,
+    /// Force from which on every hit is recorded in full [N]; where there is none, only those are that no hit of one of
+    /// their pellets had reached before.
+    pub threshold_n: Option<f64>,
+    /// Normal impulse of all [N·s].
+    pub normal_impulse_n_s: f64,
+    /// Tangential impulse of all, by its size [N·s].
+    pub tangential_impulse_n_s: f64,
+    /// Energy that they took from motion [J].
+    pub lost_energy_j: f64,
+}
+
+impl HitSummary {
+    fn of(simulation: &Simulation) -> Option<Self> {
+        let request = simulation.model().setup().hits.as_ref()?;
+        let total = simulation.hits_with_open().total();
+        Some(Self {
+            count: total.count,
+            recorded: total.kept,
+            threshold_n: request.threshold.is_finite().then_some(request.threshold),
+            normal_impulse_n_s: total.normal_impulse,
+            tangential_impulse_n_s: total.tangential_impulse,
+            lost_energy_j: total.lost_energy,
+        })
+    }
 }
 
 /// Where the energy went.
@@ -286,6 +322,7 @@ impl Summary {
                 finished: contacts.finished,
                 fewest_steps_per_contact: contacts.fewest_steps,
             },
+            hits: HitSummary::of(simulation),
             energy: EnergySummary {
                 kinetic_j: energy.kinetic,
                 potential_j: energy.potential,

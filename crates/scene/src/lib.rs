@@ -8,6 +8,7 @@
 mod draft;
 mod expect;
 mod key_path;
+mod lab_sheet;
 mod measure;
 mod mesh;
 mod mistakes;
@@ -27,6 +28,7 @@ mod units;
 mod walk;
 
 pub use expect::{ExpectationOutcome, Expectations};
+pub use lab_sheet::{LabSheet, LabSheetError};
 pub use measure::{MeasureError, measure};
 pub use mesh::{BakeReport, MeshReport, Rim};
 pub use mistakes::{Mistake, Mistakes, Place, SceneError};
@@ -34,7 +36,7 @@ pub use overrides::{Override, OverrideError};
 pub use resolve::{OutputOptions, Strength};
 pub use scene::Scene;
 pub use schema::schema;
-pub use strength_card::{StrengthCard, StrengthCardError};
+pub use strength_card::{Provenance, StrengthCard, StrengthCardError, Tumble};
 pub use suggest::instead;
 pub use template::{TEMPLATES, Template};
 pub use units::Kind;

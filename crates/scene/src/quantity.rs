@@ -125,6 +125,8 @@ quantities! {
     SurfaceEnergy: SurfaceEnergy, Positive;
     /// A volume worn off over energy [1/Pa].
     WearCoefficient: Compliance, Positive;
+    /// An energy per mass [J/kg].
+    SpecificEnergy: SpecificEnergy, Positive;
     /// A share of a whole [-].
     Share: Share, Positive;
     /// A share of a whole that may be nothing [-].

@@ -39,7 +39,9 @@ impl Source {
         if bytes.len() as u64 > LONGEST {
             return Ok(Err(whole(
                 &label,
-                format!("the file has more than {LONGEST} bytes; it is not a scene"),
+                format!(
+                    "the file has more than {LONGEST} bytes; it is not what people write by hand"
+                ),
             )));
         }
         Ok(String::from_utf8(bytes).map_err(|error| {

@@ -36,6 +36,8 @@ pub enum Kind {
     SurfaceEnergy,
     /// An inverse pressure, as a volume worn off over energy.
     Compliance,
+    /// An energy per mass.
+    SpecificEnergy,
     /// A share of a whole.
     Share,
 }
@@ -71,6 +73,7 @@ const KINDS: &[KindFacts] = &[
     KindFacts { kind: Kind::Stiffness,    name: "stiffness",    phrase: "a stiffness",         si: "N/m",   example: "200 kN/m",    largest: 1.0e13 },
     KindFacts { kind: Kind::SurfaceEnergy, name: "surface-energy", phrase: "a surface energy",  si: "J/m2",  example: "50 mJ/m2",    largest: 1.0e4 },
     KindFacts { kind: Kind::Compliance,   name: "compliance",   phrase: "an inverse pressure", si: "1/Pa",  example: "1e-13 1/Pa",  largest: 1.0e-3 },
+    KindFacts { kind: Kind::SpecificEnergy, name: "specific-energy", phrase: "an energy per mass", si: "J/kg", example: "100 J/kg",  largest: 1.0e7 },
     KindFacts { kind: Kind::Share,        name: "share",        phrase: "a share",             si: "",      example: "0.1 %",       largest: 1.0e3 },
 ];
 
@@ -91,10 +94,11 @@ const UNITS: &[(&str, Kind, f64)] = &[
     ("1/s", Kind::CountRate, 1.0), ("/s", Kind::CountRate, 1.0), ("Hz", Kind::CountRate, 1.0), ("kHz", Kind::CountRate, 1.0e3), ("1/min", Kind::CountRate, 1.0 / 60.0), ("1/h", Kind::CountRate, 1.0 / HOUR),
     ("rad", Kind::Angle, 1.0), ("deg", Kind::Angle, TURN / 360.0), ("°", Kind::Angle, TURN / 360.0),
     ("rad/s", Kind::TurnRate, 1.0), ("deg/s", Kind::TurnRate, TURN / 360.0), ("rpm", Kind::TurnRate, TURN / 60.0),
-    ("N", Kind::Force, 1.0), ("kN", Kind::Force, 1.0e3), ("MN", Kind::Force, 1.0e6),
+    ("N", Kind::Force, 1.0), ("kN", Kind::Force, 1.0e3), ("MN", Kind::Force, 1.0e6), ("daN", Kind::Force, 10.0), ("kgf", Kind::Force, 9.806_65),
     ("N/m", Kind::Stiffness, 1.0), ("kN/m", Kind::Stiffness, 1.0e3), ("MN/m", Kind::Stiffness, 1.0e6), ("N/mm", Kind::Stiffness, 1.0e3),
     ("J/m2", Kind::SurfaceEnergy, 1.0), ("mJ/m2", Kind::SurfaceEnergy, 1.0e-3),
     ("1/Pa", Kind::Compliance, 1.0), ("1/MPa", Kind::Compliance, 1.0e-6), ("1/GPa", Kind::Compliance, 1.0e-9), ("m3/J", Kind::Compliance, 1.0), ("mm3/J", Kind::Compliance, 1.0e-9),
+    ("J/kg", Kind::SpecificEnergy, 1.0), ("kJ/kg", Kind::SpecificEnergy, 1.0e3),
     ("%", Kind::Share, 1.0e-2),
 ];
 
@@ -265,7 +269,7 @@ mod tests {
             parse("2 Nm", &[Kind::Force]),
             Err(UnitError::UnknownUnit {
                 unit: "Nm".into(),
-                known: vec!["N", "kN", "MN"]
+                known: vec!["N", "kN", "MN", "daN", "kgf"]
             })
         );
     }

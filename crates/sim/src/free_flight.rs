@@ -27,7 +27,10 @@ pub(crate) fn fly(
     if !is_free(model, state, workspace) {
         return Ok(0);
     }
-    let steps = steps_before_search(model, state, most.min(MOST_STEPS as u64));
+    let most = most
+        .min(MOST_STEPS as u64)
+        .min(neighbors::steps_before_look(state.step));
+    let steps = steps_before_search(model, state, most);
     if steps == 0 {
         return Ok(0);
     }

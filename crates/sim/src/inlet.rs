@@ -98,6 +98,25 @@ pub(crate) fn is_any_due(model: &Model, state: &State) -> bool {
         })
 }
 
+/// Steps from one pellet that is due to the next, on average over the inlets that feed now [-]; infinite where none does.
+pub(crate) fn steps_per_pellet(model: &Model, state: &State) -> f64 {
+    let time_step = model.time_step().seconds;
+    let time = state.step as f64 * time_step;
+    let feeding = |inlet: &&Inlet| (inlet.start..inlet.end).contains(&time);
+    let inlets = model.setup().inlets.iter().filter(feeding);
+    let rate: f64 = inlets
+        .map(|inlet| match inlet.rate {
+            Rate::Mass(rate) => rate / model.mean_mass(inlet.pellets),
+            Rate::Count(rate) => rate,
+        })
+        .sum();
+    if rate > 0.0 {
+        1.0 / (rate * time_step)
+    } else {
+        f64::INFINITY
+    }
+}
+
 /// Greatest rate that an inlet's region can pass on, if a share of its box [-] is free for pellets [kg/s].
 pub(crate) fn capacity(inlet: &Inlet, gravity: Vec3, density: f64, free_share: f64) -> f64 {
     let size = inlet.region.bounds().max - inlet.region.bounds().min;

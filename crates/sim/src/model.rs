@@ -2,15 +2,19 @@
 
 use crate::error::SetupError;
 use crate::hit::Arrivals;
-use crate::setup::Setup;
+use crate::neighbors::SkinChoice;
+use crate::pellet::PelletKind;
+use crate::setup::{Outlet, Setup};
 use crate::size::SizeDistribution;
 use crate::time_step::{self, TimeStep};
 use crate::validate;
+use crate::wall::Wall;
 use crate::wall_contacts::LEAST_CURVATURE_SHARE;
-use crate::wall_shape::Touchable;
+use crate::wall_shape::{Touchable, WallShape};
 use pelletflow_broadphase::PeriodicBox;
 use pelletflow_core::contact::Sampling;
 use pelletflow_core::{ContactLaws, InstructionSet, MaterialPair};
+use std::f64::consts::PI;
 
 /// A validated setup with what follows from it; a step never changes it.
 #[derive(Debug, Clone)]
@@ -31,7 +35,7 @@ struct Derived {
     pairs_with_walls: Vec<MaterialPair>,
     /// By kind [kg].
     mean_masses: Vec<f64>,
-    skin: f64,
+    skin: SkinChoice,
     smallest_diameter: f64,
     largest_diameter: f64,
     has_rotation: bool,
@@ -45,9 +49,6 @@ struct Derived {
     arrivals: Arrivals,
 }
 
-/// Extra reach of a neighbor list over the mean of the smallest and the largest diameter, where none is given [-].
-const SKIN_SHARE: f64 = 0.1;
-
 impl Model {
     /// Validates a setup and derives pair constants and the time step.
     ///
@@ -59,19 +60,26 @@ impl Model {
             return Err(mistakes);
         }
         let time_step = time_step::choose(&setup).map_err(|mistake| vec![mistake])?;
-        let derived = Derived::new(&setup);
-        if derived.skin <= derived.holding_gap {
+        let mut derived = Derived::new(&setup);
+        let held = derived.holding_gap;
+        if let SkinChoice::Fixed(skin) = derived.skin
+            && skin <= held
+        {
             let message = format!(
-                "is {:.3e} m; expected more than {:.3e} m, the gap up to which sticky bodies hold on to each other; \
-                 leave `skin` out to have it chosen",
-                derived.skin, derived.holding_gap
+                "is {skin:.3e} m; expected more than {held:.3e} m, the gap up to which sticky bodies hold on to each other; \
+                 leave `skin` out to have it chosen"
             );
             return Err(vec![SetupError::new("contact.skin", message)]);
         }
         let largest = derived.largest_diameter;
-        let mistakes = validate::periodic::mistakes(&setup, largest, derived.skin);
-        if !mistakes.is_empty() {
-            return Err(mistakes);
+        let mistakes = |skin| validate::periodic::mistakes(&setup, largest, skin);
+        if !mistakes(derived.skin.widest(held)).is_empty() {
+            // What is too near for the widest skin need not be so for a thinner one.
+            derived.skin = derived.skin.narrowed();
+            let mistakes = mistakes(derived.skin.widest(held));
+            if !mistakes.is_empty() {
+                return Err(mistakes);
+            }
         }
         Ok(Self {
             derived,
@@ -92,8 +100,8 @@ impl Model {
         &self.time_step
     }
 
-    /// Extra reach of a neighbor list [m].
-    pub fn skin(&self) -> f64 {
+    /// How the extra reach of the neighbor lists is chosen.
+    pub(crate) fn skin_choice(&self) -> SkinChoice {
         self.derived.skin
     }
 
@@ -251,10 +259,8 @@ impl Derived {
                         .any(|meter| meter.kind.wall() == Some(wall))
                 })
                 .collect(),
-            skin: setup.skin.unwrap_or(
-                SKIN_SHARE * f64::midpoint(smallest_diameter, largest_diameter) + holding_gap,
-            ),
             arrivals: Arrivals::new(setup),
+            skin: skin_choice(setup),
             smallest_diameter,
             largest_diameter,
             periodic: PeriodicBox::new(&setup.domain.bounds, setup.domain.is_periodic),
@@ -270,5 +276,26 @@ impl Derived {
                 .map(|wall| setup.wall_speed(wall))
                 .fold(0.0, f64::max),
         }
+    }
+}
+
+/// How the skin of a setup is chosen.
+fn skin_choice(setup: &Setup) -> SkinChoice {
+    let of_mean_volume = |kind: &PelletKind| (6.0 / PI * kind.size.mean_volume()).cbrt();
+    let finest = setup.pellets.iter().map(of_mean_volume);
+    let tuned = SkinChoice::tuned(finest.fold(f64::INFINITY, f64::min));
+    // A grid of distances answers for pellets that are near, and its triangles, slowly, for those beyond.
+    let is_baked = |wall: &Wall| matches!(wall.shape, WallShape::Baked(_));
+    // Between two searches a pellet moves by half the skin, and must not pass an outlet unseen.
+    let is_thin = |outlet: &Outlet| {
+        let bounds = outlet.region.bounds();
+        (bounds.max - bounds.min).min() < tuned.widest(0.0)
+    };
+    match setup.skin {
+        Some(skin) => SkinChoice::Fixed(skin),
+        None if setup.walls.iter().any(is_baked) || setup.outlets.iter().any(is_thin) => {
+            tuned.narrowed()
+        }
+        None => tuned,
     }
 }

@@ -9,6 +9,7 @@
 
 use crate::hit;
 use crate::memory::ContactMemory;
+use crate::model::Model;
 use crate::share::Share;
 use crate::state::{ChunkContacts, State};
 use crate::tally::{DeepestContact, Partner, greater};
@@ -86,16 +87,27 @@ impl<I: Fn([f64; 3]) -> [f64; 3] + Copy> Task for AllPairs<'_, '_, I> {
             find_touches(share, &mut touches, image, |_| 0.0);
         }
         end_contacts(share, &last, &touches);
-        let mut batch = Batch::new(share.model.laws());
-        for lane in 0..LANES {
-            batch.set_pair(lane, share.model.pair_of_kinds(0, 0));
-        }
+        let mut batch = share
+            .scratch
+            .pairs
+            .take()
+            .unwrap_or_else(|| new_batch(share.model));
         for touches in touches.chunks(LANES) {
             add_batch(share, &mut batch, touches, image);
         }
+        share.scratch.pairs = Some(batch);
         share.scratch.touches = touches;
         share.scratch.spare_touches = last;
     }
+}
+
+/// A batch of pairs, all of the first kind of pellets: where there are more, each is set when it is filled.
+fn new_batch(model: &Model) -> Box<Batch> {
+    let mut batch = Box::new(Batch::new(model.laws()));
+    for lane in 0..LANES {
+        batch.set_pair(lane, model.pair_of_kinds(0, 0));
+    }
+    batch
 }
 
 /// Lists the touching pairs.
@@ -214,20 +226,11 @@ fn add_batch(
 /// Follows the contacts of a batch one step on.
 #[inline(always)]
 fn follow_all(share: &mut Share, batch: &Batch, touches: &[Touch]) {
-    let (model, pellets) = (share.model, share.pellets);
-    for (lane, touch) in touches.iter().enumerate() {
-        let (a, b) = ends(share, *touch);
-        let pair = model.pair_of_kinds(pellets.kind[a], pellets.kind[b]);
-        let memories = &mut share.contacts.pellet;
-        let center = &pellets.position[a];
-        hit::follow(
-            model,
-            memories,
-            touch.slot as usize,
-            (batch, lane),
-            center,
-            pair,
-        );
+    let centers = &share.pellets.position[share.range.clone()];
+    let memories = &mut share.contacts.pellet;
+    for (lane, touch) in touches.iter().enumerate().take(LANES) {
+        let (slot, center) = (touch.slot as usize, &centers[touch.local as usize]);
+        hit::follow(share.model, memories, slot, (batch, lane), center);
     }
 }
 

@@ -43,7 +43,7 @@ pub struct Setup {
     pub step: StepRequest,
     /// How neighbors are found.
     pub search: NeighborSearch,
-    /// Extra reach of a neighbor list [m]; chosen from the pellets where none is given.
+    /// Extra reach of a neighbor list [m]; it follows the motion seen where none is given.
     pub skin: Option<f64>,
     /// What is kept of the hits; none are followed where there is nothing.
     pub hits: Option<HitRequest>,

@@ -34,6 +34,8 @@ pub struct State {
     pub contacts: Vec<ChunkContacts>,
     /// Positions at the last neighbor search, from which the lists follow [m].
     pub searched_position: Vec<Row>,
+    /// Reach of those lists beyond the pellets [m]; 0 before the first search.
+    pub skin: f64,
     /// Bound of how far any pellet has moved since then [m].
     pub moved_since_search: f64,
     /// Steps since then [-].

@@ -48,8 +48,11 @@ fn stages(
         health::check_gates(model, state, &workspace.walls)
     })?;
 
-    // Neighbors, if a pellet may have come near a new one; then pellets also come and go.
-    if neighbors::is_search_due(model, state) || inlet::is_any_due(model, state) {
+    // Neighbors, if a pellet may have come near a new one or many have changed places; then pellets also come and go.
+    let is_search_due = neighbors::is_search_due(model, state)
+        || inlet::is_any_due(model, state)
+        || neighbors::is_order_due(model, state, workspace.is_parallel);
+    if is_search_due {
         let kept = profile.time(Stage::Exchange, || exchange(model, state, &workspace.walls))?;
         hit::end_leaving(model, state, workspace, &kept);
         profile.time(Stage::Search, || {

@@ -10,7 +10,7 @@ use crate::workspace::NearWall;
 use pelletflow_core::contact::batch::{Batch, LANES};
 use pelletflow_core::contact::curvature;
 use pelletflow_core::solid::MOST_TOUCHES;
-use pelletflow_core::{Contact, Surface, Vec3};
+use pelletflow_core::{Contact, ContactLaws, Surface, Vec3};
 use std::ops::Range;
 
 /// Least curvature of a contact over the pellet's own [-]: a pellet in a hollow of nearly its own radius would
@@ -21,7 +21,8 @@ pub(crate) const LEAST_CURVATURE_SHARE: f64 = 0.05;
 const SAME_CONTACT: f64 = 0.8;
 
 /// Contacts waiting for their batch to be full.
-struct Waiting {
+#[derive(Debug, Clone)]
+pub(crate) struct Waiting {
     batch: Batch,
     found: [Found; LANES],
     count: usize,
@@ -43,17 +44,27 @@ struct Found {
     wall_spin: Vec3,
 }
 
+impl Waiting {
+    fn new(laws: ContactLaws) -> Self {
+        Self {
+            batch: Batch::new(laws),
+            found: [Found::default(); LANES],
+            count: 0,
+        }
+    }
+}
+
 /// Adds the forces of all walls that the chunk lists.
 pub(crate) fn add_forces(share: &mut Share) {
     let list = share.list;
     if list.near_walls.is_empty() {
         return;
     }
-    let mut waiting = Waiting {
-        batch: Batch::new(share.model.laws()),
-        found: [Found::default(); LANES],
-        count: 0,
-    };
+    let mut waiting = share
+        .scratch
+        .walls
+        .take()
+        .unwrap_or_else(|| Box::new(Waiting::new(share.model.laws())));
     let mut first = 0;
     let (mut mesh, mut first_triangle) = (0, 0);
     while first < list.near_walls.len() {
@@ -70,6 +81,7 @@ pub(crate) fn add_forces(share: &mut Share) {
         touch_wall(share, &mut waiting, pellet, wall, places, triangles);
     }
     work_out(share, &mut waiting);
+    share.scratch.walls = Some(waiting);
 }
 
 /// Adds the forces of all contacts of one pellet with one wall, which remember in `places`; of a mesh, with the triangles
@@ -234,10 +246,8 @@ fn work_out(share: &mut Share, waiting: &mut Waiting) {
         let memories = &mut share.contacts.wall;
         let was_open = memories.is_open(found.slot);
         if model.follows_hits() {
-            let a = share.range.start + found.local;
-            let pair = model.pair_with_wall(share.pellets.kind[a], found.wall);
-            let center = &share.pellets.position[a];
-            hit::follow(model, memories, found.slot, (batch, lane), center, pair);
+            let center = &share.pellets.position[share.range.start + found.local];
+            hit::follow(model, memories, found.slot, (batch, lane), center);
         }
         let goes_on = memories.step(found.slot, batch, lane);
         if was_open && !goes_on {

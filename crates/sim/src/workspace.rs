@@ -6,6 +6,8 @@ use crate::profile::{ChunkClock, Profile};
 use crate::state::Row;
 use crate::tally::Tally;
 use crate::wall::WallNow;
+use crate::wall_contacts::Waiting;
+use pelletflow_core::contact::Batch;
 
 /// Lists, loads and clocks.
 #[derive(Debug, Default)]
@@ -52,6 +54,9 @@ pub(crate) struct ChunkScratch {
     pub(crate) touches: Vec<Touch>,
     /// Room for those of the next.
     pub(crate) spare_touches: Vec<Touch>,
+    /// Room for a batch of pairs, and of contacts with walls.
+    pub(crate) pairs: Option<Box<Batch>>,
+    pub(crate) walls: Option<Box<Waiting>>,
     /// What acts on each pellet in this step, and one row more that takes what is not the chunk's own.
     pub(crate) loads: Vec<Load>,
     /// What the chunk did in this step.

@@ -14,12 +14,12 @@ Examples:
   pelletflow safe-speed --strength 2.45kN --diameter 15mm --shear-modulus 60MPa --poisson 0.22 --density 3700
   pelletflow safe-speed --strength-card works-a.toml --risk 0.1% --diameter 12mm --youngs-modulus 2GPa --json
 
-A strength card:
+A strength card, as `pelletflow card` makes it of a sheet:
   name = \"works A, July\"
   source = \"60 pellets, ISO 4700\"
   distribution = \"log-normal\"        # or \"weibull\", \"fixed\"
   mean = \"2.45 kN\"
-  coefficient_of_variation = \"30 %\"   # Weibull also: scale and modulus in place of these two
+  coefficient_of_variation = \"30 %\"   # or: median and deviation; for Weibull: scale and modulus
   test_diameter = \"11.25 mm\"          # left out, the load is that of any size
   sample_size = 60                    # left out, the numbers count as exact"
 )]

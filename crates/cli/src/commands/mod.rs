@@ -1,6 +1,7 @@
 //! The commands, one file each.
 
 pub(crate) mod accuracy;
+pub(crate) mod card;
 pub(crate) mod check;
 pub(crate) mod completions;
 pub(crate) mod hit;
@@ -11,3 +12,4 @@ pub(crate) mod new;
 pub(crate) mod run;
 pub(crate) mod safe_speed;
 pub(crate) mod schema;
+pub(crate) mod score;

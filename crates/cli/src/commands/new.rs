@@ -36,7 +36,8 @@ pub(crate) fn new(arguments: &NewArguments) -> Result<Exit, Failure> {
     Ok(Exit::Done)
 }
 
-fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
+/// Writes a file that does not exist yet.
+pub(crate) fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
     OpenOptions::new()
         .write(true)
         .create_new(true)

@@ -8,6 +8,7 @@ use foxglove::messages::log::Level;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Gravity {
     Information,
+    Warning,
     Failure,
 }
 
@@ -15,6 +16,7 @@ pub(crate) enum Gravity {
 pub(crate) fn message(time: f64, gravity: Gravity, text: &str) -> Log {
     let level = match gravity {
         Gravity::Information => Level::Info,
+        Gravity::Warning => Level::Warning,
         Gravity::Failure => Level::Error,
     };
     Log {

@@ -3,10 +3,12 @@
 pub(crate) mod color;
 pub(crate) mod equipment;
 pub(crate) mod event;
+pub(crate) mod hits;
 pub(crate) mod pellets;
 pub(crate) mod series;
 pub(crate) mod spheres;
 pub(crate) mod transforms;
+pub(crate) mod worst;
 
 use foxglove::messages::{Point3, Quaternion, Timestamp, Vector3};
 use pelletflow_core::Vec3;

@@ -9,13 +9,15 @@ pub(crate) use due::Due;
 pub(crate) use frame::{DrawnPellet, Frame};
 pub(crate) use recorder::{Entry, Recorder, RecordingTimes, Stopped};
 
+use crate::hits::{IS_SOFTENED, METADATA, THRESHOLD, WALLS};
 use crate::message::equipment::Equipment;
 use crate::message::event::{self, Gravity};
-use crate::message::{nanoseconds, pellets, series, spheres, transforms};
+use crate::message::{hits, nanoseconds, pellets, series, spheres, transforms, worst};
+use crate::worst_hits::in_words;
 use channel::{Channel, Foxglove, channel_for};
 use mcap::records::Metadata;
 use mcap::{Attachment, Compression, McapResult, WriteOptions, Writer};
-use pelletflow_sim::{MeterReading, Setup};
+use pelletflow_sim::{Hit, HitClass, HitClassKey, MeterReading, Setup};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::io::{Seek, Write};
@@ -24,6 +26,9 @@ use std::io::{Seek, Write};
 const CHUNK_BYTES: u64 = 4 * 1024 * 1024;
 /// Level of zstd [-]; higher ones cost more time than they save bytes.
 const COMPRESSION_LEVEL: u32 = 1;
+
+/// Hits in one message at most [-].
+const HITS_PER_MESSAGE: usize = 4096;
 
 /// What a recording says of itself, in its first bytes.
 pub(crate) struct Title<'a> {
@@ -52,6 +57,14 @@ pub(crate) struct Recording<W: Write + Seek> {
     mass_channel: Option<Channel>,
     energy_channel: Option<Channel>,
     meter_channels: BTreeMap<String, Channel>,
+    hit_channels: Option<HitChannels>,
+}
+
+/// Topics of hits, where they are followed.
+struct HitChannels {
+    hits: Channel,
+    classes: Channel,
+    worst: Channel,
 }
 
 impl<W: Write + Seek> Recording<W> {
@@ -98,6 +111,7 @@ impl<W: Write + Seek> Recording<W> {
             mass_channel: None,
             energy_channel: None,
             meter_channels: BTreeMap::new(),
+            hit_channels: hit_channels(&mut writer, setup)?,
             equipment: Equipment::of(setup),
             wall_names: setup.walls.iter().map(|wall| wall.name.clone()).collect(),
             has_moving_walls: setup.walls.iter().any(|wall| wall.motion.is_moving()),
@@ -175,6 +189,48 @@ impl<W: Write + Seek> Recording<W> {
         Ok(())
     }
 
+    /// Writes hits that have ended, at a time [s].
+    pub(crate) fn hits(&mut self, time: f64, hits: &[Hit]) -> McapResult<()> {
+        let Some(channels) = &mut self.hit_channels else {
+            return Ok(());
+        };
+        for block in hits.chunks(HITS_PER_MESSAGE) {
+            let message = hits::message(block);
+            channels
+                .hits
+                .write(&mut self.writer, nanoseconds(time), &message)?;
+        }
+        Ok(())
+    }
+
+    /// Writes the sketch of all hits up to a time [s].
+    pub(crate) fn hit_classes(
+        &mut self,
+        time: f64,
+        classes: &BTreeMap<HitClassKey, HitClass>,
+    ) -> McapResult<()> {
+        let Some(channels) = &mut self.hit_channels else {
+            return Ok(());
+        };
+        let message = hits::classes_message(classes);
+        channels
+            .classes
+            .write(&mut self.writer, nanoseconds(time), &message)
+    }
+
+    /// Marks one of the hardest hits at its moment, and notes it in words.
+    pub(crate) fn worst_hit(&mut self, hit: &Hit, rank: usize) -> McapResult<()> {
+        let text = in_words(hit, &self.wall_names);
+        if let Some(channels) = &mut self.hit_channels {
+            let label = format!("{rank}: {:.4} N", hit.peak_force);
+            let message = worst::message(hit, rank, &label);
+            let time = nanoseconds(hit.peak_time);
+            channels.worst.write(&mut self.writer, time, &message)?;
+        }
+        let text = format!("hit {rank} of the hardest: {text}");
+        self.event(hit.peak_time, Gravity::Warning, &text)
+    }
+
     /// Writes what happened at a time [s].
     pub(crate) fn event(&mut self, time: f64, gravity: Gravity, text: &str) -> McapResult<()> {
         let message = event::message(time, gravity, text);
@@ -192,6 +248,34 @@ impl<W: Write + Seek> Recording<W> {
         self.writer.finish()?;
         Ok(self.writer.into_inner())
     }
+}
+
+/// Opens the topics of hits and says what goes with them, if the run follows them.
+fn hit_channels<W: Write + Seek>(
+    writer: &mut Writer<W>,
+    setup: &Setup,
+) -> McapResult<Option<HitChannels>> {
+    let Some(request) = &setup.hits else {
+        return Ok(None);
+    };
+    let is_softened = setup
+        .materials
+        .iter()
+        .any(|named| named.true_material() != named.material);
+    let walls: Vec<&str> = setup.walls.iter().map(|wall| wall.name.as_str()).collect();
+    writer.write_metadata(&Metadata {
+        name: METADATA.into(),
+        metadata: BTreeMap::from([
+            (THRESHOLD.into(), request.threshold.to_string()),
+            (IS_SOFTENED.into(), is_softened.to_string()),
+            (WALLS.into(), serde_json::json!(walls).to_string()),
+        ]),
+    })?;
+    Ok(Some(HitChannels {
+        hits: Channel::open(writer, "/hits", &hits::Hits::schema())?,
+        classes: Channel::open(writer, "/hits/classes", &hits::HitClasses::schema())?,
+        worst: channel_for(writer, "/hits/worst", Foxglove::SceneUpdate)?,
+    }))
 }
 
 /// Writes a message of our own, whose channel is made when the first one shows its fields.

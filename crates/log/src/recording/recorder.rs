@@ -6,7 +6,8 @@
 use super::{Frame, Recording};
 use crate::message::event::Gravity;
 use mcap::McapResult;
-use pelletflow_sim::MeterReading;
+use pelletflow_sim::{Hit, HitClass, HitClassKey, MeterReading};
+use std::collections::BTreeMap;
 use std::io::{self, Seek, Write};
 use std::panic;
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
@@ -30,6 +31,15 @@ pub(crate) enum Entry {
         time: f64,
         readings: Vec<MeterReading>,
     },
+    /// Hits that have ended, told at a time [s].
+    Hits { time: f64, hits: Vec<Hit> },
+    /// The sketch of all hits at a time [s].
+    HitClasses {
+        time: f64,
+        classes: BTreeMap<HitClassKey, HitClass>,
+    },
+    /// One of the hardest hits, and its place among them from 1 on.
+    WorstHit { hit: Hit, rank: usize },
     /// What happened at a time [s].
     Event {
         time: f64,
@@ -159,6 +169,9 @@ fn put_down<W: Write + Seek>(
         }
         Entry::Walls { time, is_present } => recording.walls(time, &is_present),
         Entry::Meters { time, readings } => recording.meters(time, &readings),
+        Entry::Hits { time, hits } => recording.hits(time, &hits),
+        Entry::HitClasses { time, classes } => recording.hit_classes(time, &classes),
+        Entry::WorstHit { hit, rank } => recording.worst_hit(&hit, rank),
         Entry::Event {
             time,
             gravity,

@@ -46,7 +46,7 @@ pub(crate) struct ContactSpec {
     pub(crate) twisting: Option<TurningSpec>,
     /// How neighbors are found; every way gives the same result.
     pub(crate) search: SearchSpec,
-    /// Extra reach of a neighbor list [m]; chosen from the pellets where none is given.
+    /// Extra reach of a neighbor list [m]; it follows the motion seen where none is given.
     pub(crate) skin: Option<Size>,
 }
 

@@ -171,6 +171,7 @@ fn row(model: &Model, step: u64, pellets: &Pellets, ended: &Ended) -> Hit {
             HitPartner::Pellet {
                 id: pellets.id[other],
                 diameter: 2.0 * pellets.position[other][3],
+                mass: pellets.mass(other),
             },
             setup.pellets[usize::from(pellets.kind[other])].material,
             model.pair_of_kinds(kind, pellets.kind[other]),
@@ -195,6 +196,7 @@ fn row(model: &Model, step: u64, pellets: &Pellets, ended: &Ended) -> Hit {
     Hit {
         pellet: pellets.id[ended.pellet],
         diameter: 2.0 * pellets.position[ended.pellet][3],
+        mass: pellets.mass(ended.pellet),
         partner,
         cause: match ended.partner {
             _ if peak_force > SQUEEZED * arrival.peak_force() => Cause::Squeeze,
@@ -216,7 +218,6 @@ fn row(model: &Model, step: u64, pellets: &Pellets, ended: &Ended) -> Hit {
         lost_energy: time_step * trace.powers,
         approach_speed: f64::from(trace.approach_speed),
         sliding_speed: f64::from(trace.sliding_speed),
-        effective_mass: arrival.effective_mass,
         effective_radius: arrival.effective_radius,
     }
 }

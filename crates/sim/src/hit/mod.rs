@@ -24,6 +24,8 @@ pub struct Hit {
     pub pellet: u32,
     /// Its diameter [m].
     pub diameter: f64,
+    /// Its mass [kg].
+    pub mass: f64,
     /// What it met.
     pub partner: HitPartner,
     /// What made the force.
@@ -62,8 +64,6 @@ pub struct Hit {
     pub approach_speed: f64,
     /// Speed of the contact points past each other at first touch [m/s].
     pub sliding_speed: f64,
-    /// `m*` of the two bodies [kg].
-    pub effective_mass: f64,
     /// `R*` of the contact at the greatest force [m].
     pub effective_radius: f64,
 }
@@ -77,6 +77,8 @@ pub enum HitPartner {
         id: u32,
         /// Diameter [m].
         diameter: f64,
+        /// Mass [kg].
+        mass: f64,
     },
     /// A wall, by index in the setup.
     Wall(usize),
@@ -128,6 +130,14 @@ impl Hit {
 
     /// Energy of the approach along the normal, `m* v² / 2` [J].
     pub fn approach_energy(&self) -> f64 {
-        0.5 * self.effective_mass * self.approach_speed.powi(2)
+        0.5 * self.effective_mass() * self.approach_speed.powi(2)
+    }
+
+    /// `m*` of the two bodies [kg].
+    pub fn effective_mass(&self) -> f64 {
+        match self.partner {
+            HitPartner::Pellet { mass, .. } => self.mass * mass / (self.mass + mass),
+            HitPartner::Wall(_) => self.mass,
+        }
     }
 }

@@ -6,8 +6,8 @@
 
 use crate::memory::ContactMemories;
 use crate::model::Model;
+use pelletflow_core::Vec3;
 use pelletflow_core::contact::Batch;
-use pelletflow_core::{MaterialPair, Vec3};
 
 /// What a contact has done since first touch, in one cache line; empty where there is none.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -49,7 +49,6 @@ pub(crate) fn follow(
     slot: usize,
     (batch, lane): (&Batch, usize),
     center: &[f64; 4],
-    pair: &MaterialPair,
 ) {
     let steps = memories.rows[slot].steps;
     let trace = &mut memories.traces[slot];
@@ -64,7 +63,7 @@ pub(crate) fn follow(
     if force > trace.sampled_force || steps == 0 {
         trace.rise(batch, lane, center, steps);
     } else if steps == trace.steps_to_peak + 1 {
-        trace.look_back(model, (batch, lane), pair);
+        trace.look_back(model, batch, lane);
     }
 }
 
@@ -91,7 +90,7 @@ impl Trace {
 
     /// Seeks the top of the force that lies behind the first sample that falls.
     #[inline(never)]
-    fn look_back(&mut self, model: &Model, (batch, lane): (&Batch, usize), pair: &MaterialPair) {
+    fn look_back(&mut self, model: &Model, batch: &Batch, lane: usize) {
         let contact = batch.contact(lane);
         let speed = contact.relative_velocity.dot(&contact.normal);
         let kinetic = 0.5 * contact.effective_mass * speed.powi(2);
@@ -102,7 +101,7 @@ impl Trace {
         let (laws, sampling) = (model.laws(), model.sampling());
         let history = batch.history(lane, laws);
         // It lies up to one and a half steps before this sample.
-        let top = laws.peak_force_near(2, &contact, pair, &history, sampling);
+        let top = laws.peak_force_near(2, &contact, &batch.pair(lane), &history, sampling);
         self.top_force = self.top_force.max(top as f32);
     }
 

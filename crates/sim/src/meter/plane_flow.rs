@@ -73,15 +73,15 @@ impl Instrument for PlaneFlow {
         mistakes
     }
 
-    fn list(&self, record: &mut Crossings, model: &Model, state: &State) {
+    fn list(&self, record: &mut Crossings, _model: &Model, state: &State) {
         let positions = state.pellets.position.iter().enumerate();
         record.near.clear();
         record
             .near
             .extend(positions.filter_map(|(index, position)| {
                 let height = self.height(position);
-                let is_near = height.abs() <= model.skin()
-                    && (vector(position) - self.point).norm() <= self.radius + 2.0 * model.skin();
+                let is_near = height.abs() <= state.skin
+                    && (vector(position) - self.point).norm() <= self.radius + 2.0 * state.skin;
                 is_near.then_some(Near {
                     index,
                     is_beyond: height > 0.0,

@@ -2,22 +2,24 @@
 
 mod carry;
 mod near_walls;
+mod order;
+mod skin;
 
 use crate::chunk;
 use crate::model::Model;
 use crate::setup::NeighborSearch;
-use crate::state::{Pellets, Row, State};
+use crate::state::{Row, State};
 use crate::workspace::{ChunkList, Workspace};
 use carry::OldContacts;
 use near_walls::Walls;
-use pelletflow_broadphase::{Grid, HierarchicalGrid, Search, Tree, morton};
+use pelletflow_broadphase::{Grid, HierarchicalGrid, Search, Tree};
 use std::ops::Range;
+
+pub(crate) use order::{is_due as is_order_due, steps_before_look};
+pub(crate) use skin::SkinChoice;
 
 /// Size ratio up to which one grid finds neighbors faster than one for each octave [-] (docs/decisions/0012).
 const GRID_SIZE_RATIO: f64 = 2.0;
-
-/// Pellets to one that is stored before its predecessor on the curve, below which they are stored anew [-].
-const ORDER_KEPT: usize = 8;
 
 /// Whether some pellet may have come within reach of a body that its list does not name.
 pub(crate) fn is_search_due(model: &Model, state: &State) -> bool {
@@ -27,11 +29,17 @@ pub(crate) fn is_search_due(model: &Model, state: &State) -> bool {
 
 /// The same after a number of steps in which no pellet moves by more than `ahead` [m].
 pub(crate) fn is_search_due_after(model: &Model, state: &State, ahead: f64, steps: u64) -> bool {
+    closed_in(model, state, ahead, steps + 1) > state.skin - model.holding_gap()
+}
+
+/// Bound of how far two bodies have come nearer to each other since the last search [m], after a number of steps more in which
+/// no pellet moves by more than `ahead` [m].
+fn closed_in(model: &Model, state: &State, ahead: f64, steps: u64) -> f64 {
     let walls_moved = model.greatest_wall_speed()
         * model.time_step().seconds
-        * (state.steps_since_search + steps + 1) as f64;
+        * (state.steps_since_search + steps) as f64;
     let moved = state.moved_since_search + ahead;
-    moved + moved.max(walls_moved) > model.skin() - model.holding_gap()
+    moved + moved.max(walls_moved)
 }
 
 /// Stores the pellets named by `kept` (indices into the present rows) and lists their neighbors.
@@ -41,7 +49,8 @@ pub(crate) fn search(model: &Model, state: &mut State, workspace: &mut Workspace
     let old_lists = std::mem::take(&mut workspace.lists);
     let old_contacts = std::mem::take(&mut state.contacts);
     let old_count = state.searched_position.len();
-    let order = storage_order(model, &state.pellets, kept, workspace.is_parallel);
+    let order = order::of(model, state, kept, workspace.is_parallel);
+    state.skin = skin::next(model, state);
     state.pellets.select(&order);
     let count = state.pellets.len();
 
@@ -52,8 +61,8 @@ pub(crate) fn search(model: &Model, state: &mut State, workspace: &mut Workspace
         contacts: &old_contacts,
     };
     let positions = &state.pellets.position;
-    let search = searcher(model, positions);
-    let walls = Walls::new(model, &workspace.walls);
+    let search = searcher(model, positions, state.skin);
+    let walls = Walls::new(model, &workspace.walls, state.skin);
     let listed = chunk::map(
         workspace.is_parallel,
         chunk::ranges(count).collect(),
@@ -70,34 +79,8 @@ pub(crate) fn search(model: &Model, state: &mut State, workspace: &mut Workspace
     state.steps_since_search = 0;
 }
 
-/// The rows to keep in the order in which to store them: as they are while that is nearly Morton's order.
-///
-/// It follows from the positions and the present order alone, and so from the state.
-fn storage_order(model: &Model, pellets: &Pellets, kept: &[u32], is_parallel: bool) -> Vec<u32> {
-    // Cells of the finest grid, so that pellets of one cell are stored in a row.
-    let finest = model
-        .largest_diameter()
-        .min(2.0 * model.smallest_diameter());
-    let cell_width = finest + model.skin();
-    let key = |&index: &u32| morton::key(&pellets.position[index as usize], cell_width);
-    let keys = chunk::map(
-        is_parallel,
-        chunk::ranges(kept.len()).collect(),
-        |range: Range<usize>| kept[range].iter().map(key).collect::<Vec<u64>>(),
-    )
-    .concat();
-    let out_of_order = keys.windows(2).filter(|keys| keys[0] > keys[1]).count();
-    if ORDER_KEPT * out_of_order <= kept.len() {
-        return kept.to_vec();
-    }
-    morton::order(&keys)
-        .into_iter()
-        .map(|place| kept[place as usize])
-        .collect()
-}
-
-fn searcher<'a>(model: &Model, positions: &'a [Row]) -> Search<'a> {
-    let (skin, periodic) = (model.skin(), model.periodic());
+fn searcher<'a>(model: &Model, positions: &'a [Row], skin: f64) -> Search<'a> {
+    let periodic = model.periodic();
     let is_grid_best = model.largest_diameter() <= GRID_SIZE_RATIO * model.smallest_diameter();
     match (model.setup().search, is_grid_best) {
         (NeighborSearch::Grid, _) | (NeighborSearch::Auto, true) => {

@@ -17,16 +17,19 @@ const FEW: usize = 4;
 pub(super) struct Walls<'a> {
     model: &'a Model,
     now: &'a [WallNow],
+    /// Reach of the lists beyond the pellets [m].
+    skin: f64,
     /// Boxes about them, in the world.
     bounds: Vec<Bounds>,
 }
 
 impl<'a> Walls<'a> {
-    pub(super) fn new(model: &'a Model, now: &'a [WallNow]) -> Self {
+    pub(super) fn new(model: &'a Model, now: &'a [WallNow], skin: f64) -> Self {
         let walls = model.setup().walls.iter().zip(now);
         Self {
             model,
             now,
+            skin,
             bounds: walls.map(|(wall, now)| wall.bounds(&now.pose)).collect(),
         }
     }
@@ -49,7 +52,7 @@ impl<'a> Walls<'a> {
             return;
         }
         let (center, radius) = ball_about(positions);
-        let reach = radius + self.model.skin();
+        let reach = radius + self.skin;
         let may_be_near = |&wall: &u32| self.may_be_near(wall as usize, center, reach);
         let near: Vec<u32> = walls.iter().copied().filter(may_be_near).collect();
         if !near.is_empty() {
@@ -72,7 +75,7 @@ impl<'a> Walls<'a> {
     fn list_if_near(&self, wall: u32, position: &Row, pellet: u32, list: &mut ChunkList) {
         let (index, setup) = (wall as usize, self.model.setup());
         let point = self.now[index].pose.inverse_point(vector(position));
-        let reach = position[3] + self.model.skin();
+        let reach = position[3] + self.skin;
         let shape = &setup.walls[index].shape;
         let is_near = shape.is_near(point, reach, &mut list.near_triangles);
         if is_near || !setup.skips.distant_walls {

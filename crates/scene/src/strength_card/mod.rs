@@ -1,13 +1,18 @@
-//! Strength cards: a crushing test as a TOML file.
+//! Strength cards: a crushing test, and what goes with it, as a TOML file.
+
+mod parts;
+mod writing;
+
+pub use parts::{Provenance, Tumble};
 
 use crate::draft::as_value;
 use crate::key_path::KeyPath;
-use crate::mistakes::{Findings, Mistakes};
+use crate::mistakes::Mistakes;
 use crate::schema::schema_for;
 use crate::source::{Source, whole};
-use crate::spec::strength_card::{DistributionSpec, StrengthCardSpec};
+use crate::spec::strength_card::StrengthCardSpec;
 use crate::walk::walk;
-use pelletflow_impact::{Scatter, Strength};
+use pelletflow_impact::{DropLevel, FractureEnergy, Strength};
 use serde::Deserialize;
 use serde::de::IntoDeserializer;
 use std::io;
@@ -22,6 +27,14 @@ pub struct StrengthCard {
     pub source: String,
     /// The strength.
     pub strength: Strength,
+    /// How the numbers were found.
+    pub provenance: Option<Provenance>,
+    /// What breaks in a blow.
+    pub fracture_energy: Option<FractureEnergy>,
+    /// What a drop test found.
+    pub drops: Vec<DropLevel>,
+    /// What a tumble test found.
+    pub tumble: Option<Tumble>,
 }
 
 /// A strength card that cannot be had.
@@ -70,17 +83,25 @@ impl StrengthCard {
         let card = StrengthCardSpec::deserialize(value.into_deserializer());
         match card {
             Ok(spec) => {
-                let scatter = scatter(&spec, &mut findings);
+                let scatter = parts::scatter(&spec, &mut findings);
+                let fracture_energy = spec
+                    .fracture_energy
+                    .as_ref()
+                    .and_then(|energy| parts::fracture_energy(energy, &mut findings));
+                let drops = parts::drops(&spec, &mut findings);
                 if let (Some(scatter), true) = (scatter, findings.is_empty()) {
-                    let strength = Strength {
-                        scatter,
-                        test_diameter: spec.test_diameter.map(|size| size.0),
-                        sample_size: spec.sample_size,
-                    };
                     return Ok(Self {
                         name: spec.name,
                         source: spec.source,
-                        strength,
+                        strength: Strength {
+                            scatter,
+                            test_diameter: spec.test_diameter.map(|size| size.0),
+                            sample_size: spec.sample_size,
+                        },
+                        provenance: spec.provenance.map(Provenance::from),
+                        fracture_energy,
+                        drops,
+                        tumble: spec.tumble.map(Tumble::from),
                     });
                 }
             }
@@ -94,44 +115,10 @@ impl StrengthCard {
     }
 }
 
-/// The distribution that a card gives in one of its two ways.
-fn scatter(spec: &StrengthCardSpec, findings: &mut Findings) -> Option<Scatter> {
-    let mean = spec.mean.map(|force| force.0);
-    let variation = spec.coefficient_of_variation.map(|share| share.0);
-    let scale = spec.scale.map(|force| force.0);
-    let made = match (spec.distribution, mean, variation, scale, spec.modulus) {
-        (DistributionSpec::Fixed, Some(load), None, None, None) => Ok(Scatter::Fixed(load)),
-        (DistributionSpec::LogNormal, Some(mean), Some(variation), None, None) => {
-            Scatter::log_normal_from_mean(mean, variation)
-        }
-        (DistributionSpec::Weibull, Some(mean), Some(variation), None, None) => {
-            Scatter::weibull_from_mean(mean, variation)
-        }
-        (DistributionSpec::Weibull, None, None, Some(scale), Some(modulus)) => {
-            Ok(Scatter::Weibull { scale, modulus })
-        }
-        _ => {
-            let expected = match spec.distribution {
-                DistributionSpec::Fixed => "`mean` alone",
-                DistributionSpec::LogNormal => "`mean` and `coefficient_of_variation`",
-                DistributionSpec::Weibull => {
-                    "either `mean` and `coefficient_of_variation`, or `scale` and `modulus`"
-                }
-            };
-            findings.add(
-                &KeyPath::of(["distribution"]),
-                format!("this distribution is told by {expected}; give these and no others"),
-            );
-            return None;
-        }
-    };
-    made.map_err(|error| findings.add(&KeyPath::of(["mean"]), error.to_string()))
-        .ok()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use pelletflow_impact::{Goodness, MedianEnergy, Scatter};
 
     const CARD: &str = "\
 name = \"works A\"
@@ -151,6 +138,81 @@ sample_size = 60
         assert_eq!(card.strength.sample_size, Some(60));
         let scatter = Scatter::log_normal_from_mean(2450.0, 0.3);
         assert_eq!(Ok(card.strength.scatter), scatter);
+    }
+
+    fn full_card() -> StrengthCard {
+        StrengthCard {
+            name: "works \"A\"".into(),
+            source: "60 pellets, ISO 4700\nsecond line".into(),
+            strength: Strength {
+                scatter: Scatter::LogNormal {
+                    median: 2_346.789_123_456_7,
+                    deviation: 0.1 + 0.2,
+                },
+                test_diameter: Some(0.011_25),
+                sample_size: Some(60),
+            },
+            provenance: Some(Provenance {
+                file: Some("loads.csv".into()),
+                date: Some("2024-07-01".into()),
+                method: Some("crushing between plates".into()),
+                fit: Some("maximum likelihood".into()),
+                center_interval: Some([2200.0, 2500.5]),
+                shape_interval: Some([0.25, 0.37]),
+                goodness: Some(Goodness {
+                    distance: 0.31,
+                    p_value: 0.55,
+                }),
+            }),
+            fracture_energy: Some(FractureEnergy {
+                median: MedianEnergy::BySize {
+                    large: 80.0,
+                    stiffness_ratio: 0.0,
+                    diameter: 0.012,
+                    exponent: 1.5,
+                },
+                deviation: 0.5,
+                truncation: Some(4.0),
+                damage_constant: Some(5.0),
+                sample_size: Some(120),
+            }),
+            drops: vec![DropLevel {
+                speed: 9.9,
+                dropped: 40,
+                broken: 3,
+            }],
+            tumble: Some(Tumble {
+                tumble_index: 0.945,
+                abrasion_index: Some(0.045),
+            }),
+        }
+    }
+
+    #[test]
+    fn a_card_that_is_written_reads_back_as_the_same_to_the_last_bit() {
+        let full = full_card();
+        let bare = StrengthCard {
+            provenance: None,
+            fracture_energy: None,
+            drops: Vec::new(),
+            tumble: None,
+            ..full.clone()
+        };
+        for scatter in [
+            full.strength.scatter,
+            Scatter::Fixed(2450.0),
+            Scatter::Weibull {
+                scale: 1.0 / 3.0e-4,
+                modulus: 4.0,
+            },
+        ] {
+            for card in [&full, &bare] {
+                let mut card = card.clone();
+                card.strength.scatter = scatter;
+                let text = card.to_toml();
+                assert_eq!(StrengthCard::parse(&text, "card.toml"), Ok(card), "{text}");
+            }
+        }
     }
 
     #[test]
@@ -179,6 +241,21 @@ sample_size = 60
             ),
             ("test_diameter", "diameter", "unknown key `diameter`"),
             ("sample_size = 60", "sample_size = 1", "expected at least 2"),
+            (
+                "mean = \"2.45 kN\"",
+                "median = \"2.45 kN\"",
+                "or `median` and `deviation`; give these and no others",
+            ),
+            (
+                "sample_size = 60",
+                "[fracture_energy]\ndeviation = 0.5",
+                "card.toml:7: fracture_energy: the median is told by `median` alone, or by `large`",
+            ),
+            (
+                "sample_size = 60",
+                "[[drops]]\nspeed = 9\ndropped = 3\nbroken = 4",
+                "number of pellets broken is 4; expected at most the number dropped",
+            ),
         ] {
             let card = CARD.replacen(good, bad, 1);
             let message = StrengthCard::parse(&card, "card.toml")

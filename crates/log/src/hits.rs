@@ -1,0 +1,106 @@
+//! Hits read back from a recording.
+
+use crate::error::ReadError;
+use crate::message::hits;
+use crate::records::Records;
+use mcap::records::Record;
+use pelletflow_sim::{Hit, HitClass, HitClassKey};
+use prost::Message;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// Name of the metadata that goes with hits.
+pub(crate) const METADATA: &str = "pelletflow.hits";
+/// Its key of the threshold [N].
+pub(crate) const THRESHOLD: &str = "threshold_n";
+/// Its key that tells whether some material is softer than it really is.
+pub(crate) const IS_SOFTENED: &str = "is_softened";
+/// Its key of the names of the walls, as a JSON list.
+pub(crate) const WALLS: &str = "walls";
+
+/// All that a recording holds of hits.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct RecordedHits {
+    /// Hits kept in full, in the order in which they ended.
+    pub hits: Vec<Hit>,
+    /// The sketch of all hits, by partner and force.
+    pub classes: BTreeMap<HitClassKey, HitClass>,
+    /// Names of the walls, by index.
+    pub walls: Vec<String>,
+    /// Force from which on every hit is kept in full [N].
+    pub threshold: f64,
+    /// Whether some material was softer in the run than it really is.
+    pub is_softened: bool,
+    /// Pellets put in up to the last frame [-].
+    pub pellets: u64,
+    /// Moment of the last record [s].
+    pub end: f64,
+    /// Whether the file ends in the middle; what is told is then that before the cut.
+    pub is_cut_off: bool,
+}
+
+/// Reads the hits of a recording; of a file that is cut off, those before the cut.
+///
+/// # Errors
+/// The file cannot be read, is no recording, is damaged, or holds no hits because none were followed.
+pub fn read_hits(path: impl AsRef<Path>) -> Result<RecordedHits, ReadError> {
+    let path = path.as_ref();
+    let damaged = |reason: String| ReadError::Damaged {
+        path: path.into(),
+        reason,
+    };
+    let mut records = Records::open(path)?;
+    let mut read = RecordedHits::default();
+    let mut topics: BTreeMap<u16, String> = BTreeMap::new();
+    let mut has_hits = false;
+    while let Some(record) = records.next()? {
+        match record {
+            Record::Metadata(metadata) if metadata.name == METADATA => {
+                has_hits = true;
+                let entry = |key: &str| metadata.metadata.get(key).map_or("", String::as_str);
+                read.threshold = entry(THRESHOLD)
+                    .parse()
+                    .map_err(|error| damaged(format!("the threshold of its hits: {error}")))?;
+                read.is_softened = entry(IS_SOFTENED) == "true";
+                read.walls = serde_json::from_str(entry(WALLS))
+                    .map_err(|error| damaged(format!("the walls of its hits: {error}")))?;
+            }
+            Record::Channel(channel) => {
+                topics.insert(channel.id, channel.topic);
+            }
+            Record::Message { header, data } => {
+                read.end = read.end.max(header.log_time as f64 * 1.0e-9);
+                let topic = topics.get(&header.channel_id).map_or("", String::as_str);
+                let wrong = |reason: String| damaged(format!("a message of `{topic}`: {reason}"));
+                match topic {
+                    "/hits" => {
+                        let block = hits::Hits::decode(data.as_ref())
+                            .map_err(|error| wrong(error.to_string()))?;
+                        read.hits.extend(hits::hits(&block).map_err(wrong)?);
+                    }
+                    "/hits/classes" => {
+                        let block = hits::HitClasses::decode(data.as_ref())
+                            .map_err(|error| wrong(error.to_string()))?;
+                        read.classes = hits::classes(&block).map_err(wrong)?;
+                    }
+                    "/ledger/mass" => {
+                        read.pellets = read.pellets.max(inserted(&data));
+                    }
+                    _ => {}
+                }
+            }
+            _ => {}
+        }
+    }
+    if !has_hits {
+        return Err(ReadError::NoHits { path: path.into() });
+    }
+    read.is_cut_off = records.is_cut_off();
+    Ok(read)
+}
+
+/// Pellets put in so far, which is the first field of the ledger of mass.
+fn inserted(message: &[u8]) -> u64 {
+    let count = message.get(1..9).and_then(|bytes| bytes.try_into().ok());
+    count.map_or(0, |bytes| f64::from_le_bytes(bytes) as u64)
+}
