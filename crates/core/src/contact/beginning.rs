@@ -30,13 +30,13 @@ pub(super) struct Beginning<'a> {
 impl Beginning<'_> {
     /// The force that stands for the step at the first sample [N].
     pub(super) fn first_kick<N: Normal>(&self) -> f64 {
-        let second_sample = self.to_second::<N>();
+        let second_sample = self.motion_at_second::<N>();
         self.force_over(self.off_course::<N>(second_sample, self.share + 1.0))
     }
 
     /// The force that stands for the step at the second sample [N].
     pub(super) fn second_kick<N: Normal>(&self) -> f64 {
-        let second_sample = self.to_second::<N>();
+        let second_sample = self.motion_at_second::<N>();
         let third_sample = self.alone.advanced::<N>(second_sample, self.time_step);
         let by_first = self.off_course::<N>(second_sample, self.share + 1.0);
         let by_both = self.off_course::<N>(third_sample, self.share + 2.0);
@@ -59,7 +59,7 @@ impl Beginning<'_> {
     }
 
     /// The motion at the second sample.
-    fn to_second<N: Normal>(&self) -> Motion {
+    fn motion_at_second<N: Normal>(&self) -> Motion {
         let end = (self.share + 1.0) * self.time_step;
         let mut motion = Motion {
             overlap: 0.0,
