@@ -67,7 +67,7 @@ fn batch(laws: ContactLaws) -> Batch {
             ],
         };
         batch.set_spheres(lane, &spheres, true);
-        batch.set_history(lane, [0.0; 3], 2.0, &[]);
+        batch.set_history(lane, [0.0; 3], [2.0, 5.0], &[]);
         batch.set_pair(lane, &pair());
     }
     batch.meet(LANES, InstructionSet::widest());

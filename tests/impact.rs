@@ -192,7 +192,8 @@ fn locating_first_touch_and_release_brings_back_the_second_order() {
             (coarse / fine).log2() / 2.0
         };
         let located = order(Integrator::LocatedVerlet);
-        assert!(located > 2.0, "e = {restitution}: order {located:.2}");
+        // That of the leapfrog, whatever the phase: 2 but for what the parts of the beginning leave.
+        assert!(located > 1.9, "e = {restitution}: order {located:.2}");
         if restitution < 1.0 {
             let verlet = order(Integrator::VelocityVerlet);
             assert!(verlet < 1.5, "e = {restitution}: order {verlet:.2}");

@@ -43,6 +43,7 @@ impl ContactMemory {
         ContactHistory {
             tangential_stretch: Vec3::from(self.tangential_stretch),
             normal_force: f64::from(self.normal_force),
+            samples: f64::from(self.steps),
             ..ContactHistory::default()
         }
     }
@@ -101,7 +102,8 @@ impl ContactMemories {
         let row = &self.rows[slot];
         let force = f64::from(row.normal_force);
         let extra = &self.extra[self.extra_of(slot)];
-        batch.set_history(lane, row.tangential_stretch, force, extra);
+        let remembered = [force, f64::from(row.steps)];
+        batch.set_history(lane, row.tangential_stretch, remembered, extra);
     }
 
     /// Remembers a contact one step later, and tells whether it goes on; one that does not is still to be ended.

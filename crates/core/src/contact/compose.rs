@@ -3,6 +3,7 @@
 use super::batch::{self, Batch, Lanes};
 use super::laws::TurningLaw;
 use super::memory::Extra;
+use super::motion::{Alone, Motion};
 use super::normal::{Normal, NormalForce};
 use super::peak::{self, Quantity};
 use super::sampling::{Sample, Sampling};
@@ -81,7 +82,6 @@ impl Turnings for Chosen {
 /// A contact's normal direction at a sample.
 struct Touch {
     sample: Sample,
-    predicted: NormalForce,
     predicted_speed: f64,
 }
 
@@ -96,13 +96,12 @@ pub(super) fn force<N: Normal, T: Tangential, W: Turnings>(
 ) -> ContactForce {
     let mut touch = touch::<N>(contact, pair, history, sampling);
     if touch.sample.is_edge {
-        touch.sample = sampling.at_edge::<N>(
+        let alone = Alone {
             contact,
-            &touch.predicted,
-            touch.predicted_speed,
-            history.normal_force,
-            touch.sample,
-        );
+            pair,
+            history,
+        };
+        touch.sample = sampling.at_edge::<N>(&alone, touch.predicted_speed, touch.sample);
     }
     composed::<T, W>(contact, pair, turnings, &touch, history, sampling)
 }
@@ -214,19 +213,24 @@ pub(super) fn peak_near<N: Normal>(
 ) -> f64 {
     let touch = touch::<N>(contact, pair, history, sampling);
     let from = if history.normal_force == 0.0 {
-        peak::Motion {
+        Motion {
             overlap: contact.overlap,
             speed: touch.predicted_speed,
         }
     } else {
-        sampling.true_motion::<N>(contact, &touch.sample)
+        sampling.true_motion::<N>(contact, touch.sample.speed, &touch.sample.law)
     };
     let sampled = match quantity {
         Quantity::Force => touch.sample.law.force,
         Quantity::Overlap => contact.overlap,
     };
     let within = (steps, sampling.time_step());
-    peak::top_near::<N>(quantity, contact, pair, history, from, within).unwrap_or(sampled)
+    let alone = Alone {
+        contact,
+        pair,
+        history,
+    };
+    peak::top_near::<N>(quantity, &alone, from, within).unwrap_or(sampled)
 }
 
 #[inline(always)]
@@ -239,8 +243,7 @@ fn touch<N: Normal>(
     let predicted_speed = -contact.relative_velocity.dot(&contact.normal);
     let predicted = N::force(contact, pair, history, predicted_speed);
     Touch {
-        sample: sampling.smooth::<N>(contact, &predicted, predicted_speed, history.normal_force),
-        predicted,
+        sample: sampling.smooth::<N>(contact, &predicted, predicted_speed, history),
         predicted_speed,
     }
 }
@@ -268,6 +271,11 @@ fn composed<T: Tangential, W: Turnings>(
         contact.overlap
     } else {
         history.deepest_overlap
+    };
+    history.samples = if applied.is_touching {
+        history.samples + 1.0
+    } else {
+        0.0
     };
     history.normal_force = if !applied.is_touching {
         0.0

@@ -8,13 +8,16 @@
 )]
 
 pub mod batch;
+mod beginning;
 mod compose;
 pub mod curvature;
 mod laws;
 mod memory;
+mod motion;
 pub mod normal;
 pub mod peak;
-pub mod sampling;
+pub mod release;
+mod sampling;
 mod spring;
 pub mod tangential;
 pub mod turning;
@@ -55,6 +58,8 @@ pub struct ContactHistory {
     pub tangential_stretch: Vec3,
     /// Normal force that the last step was given [N]: 0 before first touch and after release, never in between.
     pub normal_force: f64,
+    /// Samples since first touch [-].
+    pub samples: f64,
     /// Deepest overlap so far [m].
     pub deepest_overlap: f64,
     /// Elastic rolling of A over B, times the root of its stiffness [√J].

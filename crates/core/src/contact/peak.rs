@@ -1,20 +1,10 @@
 //! The greatest force and the greatest overlap between two samples of a contact.
 
+use super::motion::{Alone, Motion};
 use super::normal::Normal;
-use super::{Contact, ContactHistory};
-use crate::MaterialPair;
 
 /// Parts of a step in which the top is sought [-].
 const PARTS: u32 = 4;
-
-/// Overlap and its rate.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Motion {
-    /// Overlap [m].
-    pub(super) overlap: f64,
-    /// Its rate [m/s].
-    pub(super) speed: f64,
-}
 
 /// What has a top.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,32 +21,23 @@ pub(super) enum Quantity {
 /// from the sample toward its top, by the classical method of Runge and Kutta over parts of a step.
 pub(super) fn top_near<N: Normal>(
     quantity: Quantity,
-    contact: &Contact,
-    pair: &MaterialPair,
-    history: &ContactHistory,
+    alone: &Alone<'_>,
     from: Motion,
     (steps, time_step): (u32, f64),
 ) -> Option<f64> {
-    let force_of = |motion: Motion| {
-        let at = Contact {
-            overlap: motion.overlap.max(0.0),
-            ..*contact
-        };
-        N::force(&at, pair, history, motion.speed).force
-    };
     let value_of = |motion: Motion| match quantity {
-        Quantity::Force => force_of(motion),
+        Quantity::Force => alone.force::<N>(motion).force,
         Quantity::Overlap => motion.overlap,
     };
     let mut motion = from;
     let part = time_step / f64::from(PARTS);
     let here = value_of(motion);
-    let ahead = advanced(motion, part, contact.effective_mass, force_of);
+    let ahead = alone.advanced::<N>(motion, part);
     let time = if value_of(ahead) > here { part } else { -part };
     let mut last = [here, here];
     // A top at the very end shows itself one part later.
     for _ in 0..=steps * PARTS {
-        motion = advanced(motion, time, contact.effective_mass, force_of);
+        motion = alone.advanced::<N>(motion, time);
         let value = value_of(motion);
         if value <= last[1] {
             return Some(top_of_parabola(last[0], last[1], value));
@@ -64,29 +45,6 @@ pub(super) fn top_near<N: Normal>(
         last = [last[1], value];
     }
     None
-}
-
-/// The motion of the contact by itself, `m* δ̈ = −F`, a time later [s].
-fn advanced(from: Motion, time: f64, mass: f64, force_of: impl Fn(Motion) -> f64) -> Motion {
-    let rate = |motion: Motion| Motion {
-        overlap: motion.speed,
-        speed: -force_of(motion) / mass,
-    };
-    let moved = |by: Motion, share: f64| Motion {
-        overlap: from.overlap + share * time * by.overlap,
-        speed: from.speed + share * time * by.speed,
-    };
-    let first = rate(from);
-    let second = rate(moved(first, 0.5));
-    let third = rate(moved(second, 0.5));
-    let fourth = rate(moved(third, 1.0));
-    let mean = |of: fn(&Motion) -> f64| {
-        (of(&first) + 2.0 * of(&second) + 2.0 * of(&third) + of(&fourth)) / 6.0
-    };
-    Motion {
-        overlap: from.overlap + time * mean(|motion| motion.overlap),
-        speed: from.speed + time * mean(|motion| motion.speed),
-    }
 }
 
 /// Top of the parabola through three even samples, the middle one the greatest.

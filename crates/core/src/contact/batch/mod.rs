@@ -46,6 +46,8 @@ pub struct Batch {
     pair: [Lanes; 11],
     /// Tangential stretch and last normal force.
     memory: Lanes4,
+    /// Samples since first touch.
+    samples: Lanes,
     /// What else the laws remember.
     pub(super) extra: Vec<Lanes>,
 
@@ -82,6 +84,7 @@ impl Batch {
             arms: [ones; 2],
             pair: [ones; 11],
             memory: [zeros; 4],
+            samples: zeros,
             next_extra: extra.clone(),
             extra,
             reached: [zeros; 4],
@@ -121,19 +124,21 @@ impl Batch {
         self.counted[lane] = 1.0;
     }
 
-    /// Puts what the contact in a lane remembers into it; `extra` is what its laws need beside the other two.
+    /// Puts what the contact in a lane remembers into it: its stretch, its last normal force [N] and the samples since first
+    /// touch; `extra` is what its laws need beside the other two.
     #[inline(always)]
     pub fn set_history(
         &mut self,
         lane: usize,
         stretch: [f64; 3],
-        normal_force: f64,
+        [normal_force, samples]: [f64; 2],
         extra: &[f64],
     ) {
         for (lanes, value) in self.memory.iter_mut().zip(stretch) {
             lanes[lane] = value;
         }
         self.memory[3][lane] = normal_force;
+        self.samples[lane] = samples;
         for (lanes, number) in self.extra.iter_mut().zip(extra) {
             lanes[lane] = *number;
         }
@@ -211,6 +216,7 @@ impl Batch {
         ContactHistory {
             tangential_stretch: Vec3::from(stretch),
             normal_force: self.memory[3][lane],
+            samples: self.samples[lane],
             ..ContactHistory::default()
         }
     }

@@ -51,15 +51,20 @@ fn remembered(number: usize) -> ContactHistory {
 fn batch(pair: &MaterialPair, laws: ContactLaws) -> Batch {
     let mut batch = Batch::new(laws);
     for lane in 0..LANES {
-        // Some lanes at their first sample, some near their last, most in the middle.
+        // Some lanes at their first sample, some at their second or near their last, most in the middle.
         let depth = [1.0e-6, 1.0e-5, 1.0e-4, 4.0e-4][lane % 4];
         batch.set_spheres(lane, &spheres(lane, depth), lane % 5 > 0);
-        let last_force = if lane % 3 == 0 { 0.0 } else { 2.0 };
+        let [last_force, samples] = [[0.0, 0.0], [2.0, 1.0], [2.0, 5.0]][lane % 3];
         let mut extra = vec![0.0; laws.extra_numbers()];
         if last_force > 0.0 {
             laws.pack(&remembered(lane), &mut extra);
         }
-        batch.set_history(lane, [8.0e-4, 3.0e-4, -6.0e-4], last_force, &extra);
+        batch.set_history(
+            lane,
+            [8.0e-4, 3.0e-4, -6.0e-4],
+            [last_force, samples],
+            &extra,
+        );
         batch.set_pair(lane, pair);
     }
     batch
