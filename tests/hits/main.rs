@@ -98,8 +98,8 @@ fn a_hit_alone_is_that_of_the_solver_of_impacts() {
                     let brought = hit.approach_energy();
                     let lost = brought * (1.0 - restitution.powi(2));
                     let error = (hit.lost_energy - lost).abs() / brought;
-                    // Heat is the sum of a dozen samples, of which the last is not located.
-                    assert!(error < 1.5e-2, "{which}: lost {error:.5}");
+                    // Heat is the sum of a dozen samples.
+                    assert!(error < 1.0e-2, "{which}: lost {error:.5}");
                     let step = hit.duration / hit.steps as f64;
                     // Damped bodies still overlap when their force is gone.
                     let longer = (hit.duration - exact.contact_time) / step;
@@ -175,7 +175,7 @@ fn run(setup: Setup, threads: usize, stride: u64) -> (Vec<Hit>, Simulation) {
         hits.extend(simulation.take_hits());
     }
     assert!(
-        simulation.mass_ledger().discharged.count > 5,
+        simulation.mass_ledger().discharged.count > 2,
         "some roll away"
     );
     (hits, simulation)
