@@ -2,11 +2,9 @@
 //!
 //! One column for each quantity: a row of every column is one hit, or one class.
 
+use super::own;
 use foxglove::Schema;
 use foxglove::prost_types::field_descriptor_proto::{Label, Type};
-use foxglove::prost_types::{
-    DescriptorProto, FieldDescriptorProto, FileDescriptorProto, FileDescriptorSet,
-};
 use pelletflow_core::Vec3;
 use pelletflow_sim::{Cause, Hit, HitClass, HitClassKey, HitPartner};
 use prost::Message;
@@ -26,7 +24,11 @@ macro_rules! columns {
 
         impl $message {
             pub(crate) fn schema() -> Schema {
-                schema(stringify!($message), &[$((stringify!($column), type_of!($kind))),*])
+                own::schema(
+                    stringify!($message),
+                    Label::Repeated,
+                    [$((stringify!($column), type_of!($kind))),*],
+                )
             }
 
             /// Number of rows, if all columns have as many.
@@ -104,38 +106,6 @@ columns! {
         lost_energy_j: double f64 = "8",
         approach_energy_j: double f64 = "9",
     }
-}
-
-fn schema(name: &str, columns: &[(&str, Type)]) -> Schema {
-    let field = columns
-        .iter()
-        .zip(1..)
-        .map(|((column, kind), number)| FieldDescriptorProto {
-            name: Some((*column).into()),
-            number: Some(number),
-            label: Some(Label::Repeated as i32),
-            r#type: Some(*kind as i32),
-            json_name: Some((*column).into()),
-            ..FieldDescriptorProto::default()
-        })
-        .collect();
-    let file = FileDescriptorProto {
-        name: Some(format!("pelletflow/{name}.proto")),
-        package: Some("pelletflow".into()),
-        message_type: vec![DescriptorProto {
-            name: Some(name.into()),
-            field,
-            ..DescriptorProto::default()
-        }],
-        syntax: Some("proto3".into()),
-        ..FileDescriptorProto::default()
-    };
-    let files = FileDescriptorSet { file: vec![file] };
-    Schema::new(
-        format!("pelletflow.{name}"),
-        "protobuf",
-        files.encode_to_vec(),
-    )
 }
 
 /// Index of a wall as it is written; of none, and of one beyond all numbers, that of no wall.

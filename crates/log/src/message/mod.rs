@@ -4,6 +4,7 @@ pub(crate) mod color;
 pub(crate) mod equipment;
 pub(crate) mod event;
 pub(crate) mod hits;
+pub(crate) mod own;
 pub(crate) mod pellets;
 pub(crate) mod series;
 pub(crate) mod spheres;

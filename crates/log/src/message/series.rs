@@ -3,16 +3,11 @@
 //! A meter names its quantities itself, so the protobuf schema is made from the names:
 //! a new meter needs nothing here.
 
+use super::own;
 use foxglove::Schema;
 use foxglove::prost_types::field_descriptor_proto::{Label, Type};
-use foxglove::prost_types::{
-    DescriptorProto, FieldDescriptorProto, FileDescriptorProto, FileDescriptorSet,
-};
 use pelletflow_sim::{EnergyLedger, MassLedger, MeterReading};
-use prost::Message;
 
-/// Protobuf package of our messages.
-const PACKAGE: &str = "pelletflow";
 /// Wire type of a `double` in a protobuf tag.
 const EIGHT_BYTES: u64 = 1;
 
@@ -21,36 +16,8 @@ pub(crate) type Row<'a> = [(&'a str, f64)];
 
 /// The schema of a message of the given kind, such as `mass-flow`, with one `double` per value.
 pub(crate) fn schema(kind: &str, row: &Row) -> Schema {
-    let name = type_name(kind);
-    let field = row
-        .iter()
-        .zip(1..)
-        .map(|((field, _), number)| FieldDescriptorProto {
-            name: Some((*field).into()),
-            number: Some(number),
-            label: Some(Label::Optional as i32),
-            r#type: Some(Type::Double as i32),
-            json_name: Some((*field).into()),
-            ..FieldDescriptorProto::default()
-        })
-        .collect();
-    let file = FileDescriptorProto {
-        name: Some(format!("{PACKAGE}/{name}.proto")),
-        package: Some(PACKAGE.into()),
-        message_type: vec![DescriptorProto {
-            name: Some(name.clone()),
-            field,
-            ..DescriptorProto::default()
-        }],
-        syntax: Some("proto3".into()),
-        ..FileDescriptorProto::default()
-    };
-    let files = FileDescriptorSet { file: vec![file] };
-    Schema::new(
-        format!("{PACKAGE}.{name}"),
-        "protobuf",
-        files.encode_to_vec(),
-    )
+    let fields = row.iter().map(|(field, _)| (*field, Type::Double));
+    own::schema(&type_name(kind), Label::Optional, fields)
 }
 
 /// The values on the wire, in the order of the schema.

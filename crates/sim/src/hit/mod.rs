@@ -1,6 +1,6 @@
 //! Hits: contacts from first touch to release, each with its greatest force, its impulse and its cause.
 //!
-//! Every contact is followed at every step ([`Trace`](crate::hit::Trace)).
+//! Every contact is followed at every step ([`Trace`]).
 //! When it ends it becomes a [`Hit`], which the [`HitLedger`] counts and, where it matters, keeps in full.
 
 mod arrival;
