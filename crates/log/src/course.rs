@@ -276,8 +276,11 @@ impl<'scope> Course<'scope> {
         self.recorder.put(Entry::Hits { time, hits })?;
         let classes = all.classes().clone();
         self.recorder.put(Entry::HitClasses { time, classes })?;
-        for (hit, rank) in self.worst_hits.as_slice().iter().zip(1..) {
-            self.recorder.put(Entry::WorstHit { hit: *hit, rank })?;
+        let mut worst: Vec<_> = self.worst_hits.as_slice().iter().zip(1..).collect();
+        // A topic never goes back in time.
+        worst.sort_by(|one, other| one.0.peak_time.total_cmp(&other.0.peak_time));
+        for (&hit, rank) in worst {
+            self.recorder.put(Entry::WorstHit { hit, rank })?;
         }
         Ok(())
     }

@@ -79,6 +79,7 @@ fn scene_panel(bounds: &Bounds, spheres_up_to: usize, full_speed: f64) -> Value 
         "layers": {},
         "topics": {
             "/equipment": { "visible": true },
+            "/hits/worst": { "visible": true },
             "/pellets/spheres": { "visible": spheres_up_to > 0 },
             // Points hide inside the spheres, and stand in for them where there are too many pellets.
             "/pellets": {

@@ -65,6 +65,7 @@ struct HitChannels {
     hits: Channel,
     classes: Channel,
     worst: Channel,
+    worst_in_words: Channel,
 }
 
 impl<W: Write + Seek> Recording<W> {
@@ -218,17 +219,23 @@ impl<W: Write + Seek> Recording<W> {
             .write(&mut self.writer, nanoseconds(time), &message)
     }
 
-    /// Marks one of the hardest hits at its moment, and notes it in words.
+    /// Marks one of the hardest hits at its moment, and notes it in words; they come in order of time.
     pub(crate) fn worst_hit(&mut self, hit: &Hit, rank: usize) -> McapResult<()> {
-        let text = in_words(hit, &self.wall_names);
-        if let Some(channels) = &mut self.hit_channels {
-            let label = format!("{rank}: {:.4} N", hit.peak_force);
-            let message = worst::message(hit, rank, &label);
-            let time = nanoseconds(hit.peak_time);
-            channels.worst.write(&mut self.writer, time, &message)?;
-        }
-        let text = format!("hit {rank} of the hardest: {text}");
-        self.event(hit.peak_time, Gravity::Warning, &text)
+        let Some(channels) = &mut self.hit_channels else {
+            return Ok(());
+        };
+        let time = nanoseconds(hit.peak_time);
+        let label = format!("{rank}: {:.4} N", hit.peak_force);
+        let mark = worst::message(hit, rank, &label);
+        channels.worst.write(&mut self.writer, time, &mark)?;
+        let text = format!(
+            "hit {rank} of the hardest: {}",
+            in_words(hit, &self.wall_names)
+        );
+        let words = event::message(hit.peak_time, Gravity::Warning, &text);
+        channels
+            .worst_in_words
+            .write(&mut self.writer, time, &words)
     }
 
     /// Writes what happened at a time [s].
@@ -275,6 +282,7 @@ fn hit_channels<W: Write + Seek>(
         hits: Channel::open(writer, "/hits", &hits::Hits::schema())?,
         classes: Channel::open(writer, "/hits/classes", &hits::HitClasses::schema())?,
         worst: channel_for(writer, "/hits/worst", Foxglove::SceneUpdate)?,
+        worst_in_words: channel_for(writer, "/hits/worst/log", Foxglove::Log)?,
     }))
 }
 
