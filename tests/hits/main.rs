@@ -21,6 +21,9 @@ const RECORDS: Option<HitRequest> = Some(HitRequest {
     threshold: f64::INFINITY,
 });
 
+/// Enough for three chunks, so that contacts lie across them and threads have something to share [-].
+const PELLETS: usize = 300;
+
 /// A pellet that meets the floor, or its like, at a speed [m/s].
 fn hit_alone(restitution: f64, speed: f64, against: Against, phase: f64) -> (Hit, Impact) {
     let setup = setup(smooth(restitution), smooth(restitution));
@@ -149,10 +152,10 @@ fn heap(hits: Option<HitRequest>) -> Setup {
         pellets: 0,
         seats: Seats::Lattice {
             region: Shape::Cuboid {
-                half_sides: Vec3::new(0.04, 0.04, 0.06),
+                half_sides: Vec3::new(0.06, 0.06, 0.09),
             }
-            .translated(Vec3::new(0.0, 0.0, 0.09)),
-            amount: FillAmount::Count(90),
+            .translated(Vec3::new(0.0, 0.0, 0.12)),
+            amount: FillAmount::Count(PELLETS),
         },
         velocity: Vec3::new(0.4, 0.0, -1.0),
         spin: Vec3::zeros(),

@@ -1,7 +1,7 @@
 //! Hits read back from a recording.
 
 use crate::error::ReadError;
-use crate::message::hits;
+use crate::message::{hits, series};
 use crate::records::Records;
 use mcap::records::Record;
 use pelletflow_sim::{Hit, HitClass, HitClassKey};
@@ -84,7 +84,10 @@ pub fn read_hits(path: impl AsRef<Path>) -> Result<RecordedHits, ReadError> {
                         read.classes = hits::classes(&block).map_err(wrong)?;
                     }
                     "/ledger/mass" => {
-                        read.pellets = read.pellets.max(inserted(&data));
+                        // It begins with how many were inserted.
+                        let inserted = series::first_value(&data)
+                            .ok_or_else(|| wrong("it has no first value".into()))?;
+                        read.pellets = read.pellets.max(inserted as u64);
                     }
                     _ => {}
                 }
@@ -97,10 +100,4 @@ pub fn read_hits(path: impl AsRef<Path>) -> Result<RecordedHits, ReadError> {
     }
     read.is_cut_off = records.is_cut_off();
     Ok(read)
-}
-
-/// Pellets put in so far, which is the first field of the ledger of mass.
-fn inserted(message: &[u8]) -> u64 {
-    let count = message.get(1..9).and_then(|bytes| bytes.try_into().ok());
-    count.map_or(0, |bytes| f64::from_le_bytes(bytes) as u64)
 }

@@ -53,8 +53,11 @@ fn stages(
         || inlet::is_any_due(model, state)
         || neighbors::is_order_due(model, state, workspace.is_parallel);
     if is_search_due {
-        let kept = profile.time(Stage::Exchange, || exchange(model, state, &workspace.walls))?;
-        hit::end_leaving(model, state, workspace, &kept);
+        let kept = profile.time(Stage::Exchange, || {
+            let kept = exchange(model, state, &workspace.walls)?;
+            hit::end_leaving(model, state, workspace, &kept);
+            Ok(kept)
+        })?;
         profile.time(Stage::Search, || {
             neighbors::search(model, state, workspace, &kept);
             pair_contacts::note_lists(state, workspace);

@@ -123,6 +123,8 @@ pub(super) fn run(
     let setup = Setup {
         integrator,
         step: StepRequest::Fixed(request.end_time / steps),
+        // Nobody asks what the hits were.
+        hits: None,
         ..setup.clone()
     };
     let first = |mut mistakes: Vec<SetupError>| Failure::Setup(mistakes.swap_remove(0));

@@ -1,9 +1,10 @@
 //! What messages promise, without a run.
 
-use super::{color, nanoseconds, pellets, series, spheres, timestamp};
+use super::{color, hits, nanoseconds, pellets, series, spheres, timestamp};
 use crate::recording::DrawnPellet;
 use foxglove::messages::PointCloud;
 use pelletflow_core::Vec3;
+use pelletflow_sim::{Cause, Hit, HitPartner};
 use prost::Message;
 
 fn pellet(id: u32, speed: f64) -> DrawnPellet {
@@ -71,6 +72,69 @@ fn the_schema_of_a_meter_follows_its_names() {
     assert_eq!(schema.encoding, "protobuf");
     let text = String::from_utf8_lossy(&schema.data);
     assert!(text.contains("mass_flow_kg_per_s") && text.contains("mass_kg"));
+}
+
+#[test]
+fn the_first_value_of_a_row_is_read_back_and_another_message_has_none() {
+    let bytes = series::encode(&[("inserted", 600.0), ("inside", 7.0)]);
+    assert_eq!(series::first_value(&bytes), Some(600.0));
+    assert_eq!(series::first_value(&bytes[..5]), None);
+    let cloud = pellets::message(0.0, &[pellet(1, 1.0)]).encode_to_vec();
+    assert_eq!(series::first_value(&cloud), None);
+}
+
+fn hit(partner: HitPartner, cause: Cause) -> Hit {
+    // Each value is its own, and one that single precision holds.
+    Hit {
+        pellet: 41,
+        diameter: 0.0125,
+        mass: 0.007_812_5,
+        partner,
+        cause,
+        is_open: true,
+        begin: 1.5,
+        duration: 0.25,
+        steps: 17,
+        peak_time: 1.625,
+        place: Vec3::new(-0.5, 0.75, 3.0),
+        peak_force: 812.5,
+        sampled_force: 811.0,
+        arrival_force: 900.0,
+        peak_pressure: 2.0e7,
+        normal_impulse: 0.0625,
+        tangential_impulse: 0.03125,
+        lost_energy: 0.375,
+        approach_speed: 5.5,
+        sliding_speed: 1.25,
+        effective_radius: 0.003_906_25,
+    }
+}
+
+#[test]
+fn hits_give_back_what_went_in() {
+    let pellet = HitPartner::Pellet {
+        id: 7,
+        diameter: 0.015,
+        mass: 0.00625,
+    };
+    let all = [
+        hit(pellet, Cause::Collision),
+        hit(HitPartner::Wall(3), Cause::Drop),
+        hit(HitPartner::Wall(0), Cause::Squeeze),
+    ];
+    let bytes = hits::message(&all).encode_to_vec();
+    let block = hits::Hits::decode(bytes.as_slice()).expect("a block decodes");
+    assert_eq!(hits::hits(&block), Ok(all.to_vec()));
+}
+
+#[test]
+fn hits_whose_columns_differ_in_length_are_refused() {
+    let mut bytes = hits::message(&[hit(HitPartner::Wall(0), Cause::Drop)]).encode_to_vec();
+    // One more value of field 6, the cause: packed, one byte, 9.
+    bytes.extend([6 << 3 | 2, 1, 9]);
+    let block = hits::Hits::decode(bytes.as_slice()).expect("a block decodes");
+    let reason = hits::hits(&block).expect_err("a column is longer");
+    assert!(reason.contains("differ in length"), "{reason}");
 }
 
 #[test]

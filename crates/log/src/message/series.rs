@@ -30,6 +30,14 @@ pub(crate) fn encode(row: &Row) -> Vec<u8> {
     bytes
 }
 
+/// The first value of a message that [`encode`] made; none where it has another form.
+pub(crate) fn first_value(bytes: &[u8]) -> Option<f64> {
+    let mut rest = bytes;
+    let tag = prost::encoding::decode_varint(&mut rest).ok()?;
+    let value = rest.get(..8)?.try_into().ok()?;
+    (tag == 1 << 3 | EIGHT_BYTES).then(|| f64::from_le_bytes(value))
+}
+
 /// `mass-flow` becomes `MassFlow`.
 fn type_name(kind: &str) -> String {
     kind.split('-')

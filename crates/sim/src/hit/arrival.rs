@@ -1,8 +1,9 @@
 //! The force that two bodies make by their arrival alone, at their true stiffness.
 
 use crate::setup::Setup;
-use pelletflow_core::MaterialPair;
+use pelletflow_core::{MaterialPair, PairProperties};
 use pelletflow_impact::{Damping, ElasticImpact, Impact};
+use std::collections::BTreeMap;
 
 /// Two materials that meet, by their true stiffness.
 #[derive(Debug, Clone, Copy)]
@@ -12,26 +13,28 @@ struct TruePair {
     damped_share: f64,
 }
 
-/// The true stiffness and the damping of every pair of materials.
+/// The true stiffness and the damping of every pair of materials, where hits are followed.
 #[derive(Debug, Clone)]
 pub(crate) struct Arrivals {
-    materials: usize,
-    pairs: Vec<Option<TruePair>>,
+    /// By two materials, the lesser index first.
+    pairs: BTreeMap<[usize; 2], TruePair>,
 }
 
 impl Arrivals {
     pub(crate) fn new(setup: &Setup) -> Self {
-        let materials = setup.materials.len();
-        let pairs = (0..materials * materials)
-            .map(|index| TruePair::new(setup, index / materials, index % materials))
-            .collect();
-        Self { materials, pairs }
+        let mut pairs = BTreeMap::new();
+        if setup.hits.is_some() {
+            for ([a, b], properties) in &setup.pairs {
+                let materials = [*a.min(b), *a.max(b)];
+                pairs.insert(materials, TruePair::new(setup, materials, properties));
+            }
+        }
+        Self { pairs }
     }
 
     /// Greatest force of two bodies, by material, whose arrival is that of `hit` but for their stiffness [N].
     pub(super) fn force(&self, [a, b]: [usize; 2], hit: &ElasticImpact) -> f64 {
-        let pair = self.pairs[a * self.materials + b]
-            .expect("validation refuses a missing pair of materials that can meet");
+        let pair = &self.pairs[&[a.min(b), a.max(b)]];
         let at_true_stiffness = ElasticImpact {
             effective_youngs_modulus: pair.effective_youngs_modulus,
             ..*hit
@@ -41,9 +44,8 @@ impl Arrivals {
 }
 
 impl TruePair {
-    fn new(setup: &Setup, a: usize, b: usize) -> Option<Self> {
-        let properties = setup.pair_properties(a, b)?;
-        let [a, b] = [a, b].map(|index| setup.materials[index].true_material());
+    fn new(setup: &Setup, materials: [usize; 2], properties: &PairProperties) -> Self {
+        let [a, b] = materials.map(|index| setup.materials[index].true_material());
         let effective_youngs_modulus =
             MaterialPair::new(&a, &b, properties).effective_youngs_modulus;
         // Which body and how fast does not matter to the share.
@@ -56,9 +58,9 @@ impl TruePair {
         // Where damping is so strong that the solver finds no release, the elastic force bounds it.
         let damped_share = Impact::new(&any, Damping::Restitution(properties.restitution), None)
             .map_or(1.0, |impact| impact.peak_force / any.peak_force());
-        Some(Self {
+        Self {
             effective_youngs_modulus,
             damped_share,
-        })
+        }
     }
 }

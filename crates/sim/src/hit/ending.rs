@@ -1,7 +1,7 @@
 //! Contacts that end, and those still open, as rows of the ledger.
 
 use super::ledger::IsKept;
-use super::{Cause, Hit, HitLedger, HitPartner, Trace};
+use super::{Cause, Hit, HitLedger, HitPartner, HitRequest, Trace};
 use crate::memory::ContactMemories;
 use crate::model::Model;
 use crate::state::{Pellets, State};
@@ -29,65 +29,49 @@ pub(crate) struct Ended {
 
 /// Enters the hits that ended in this step, chunk by chunk.
 pub(crate) fn enter(model: &Model, state: &mut State, workspace: &Workspace) {
-    let State {
-        step,
-        pellets,
-        hits,
-        ..
-    } = state;
-    for ended in workspace.chunks.iter().flat_map(|chunk| &chunk.ended) {
-        enter_one(model, *step, pellets, hits, ended);
-    }
+    let ended = workspace.chunks.iter().flat_map(|chunk| &chunk.ended);
+    enter_all(model, state, ended.copied());
 }
 
 /// Ends the contacts of pellets that are not kept.
 pub(crate) fn end_leaving(model: &Model, state: &mut State, workspace: &Workspace, kept: &[u32]) {
-    let listed = state.searched_position.len();
+    if !model.follows_hits() || kept.len() == state.pellets.len() {
+        return;
+    }
     let mut leaves = vec![true; state.pellets.len()];
     for &index in kept {
         leaves[index as usize] = false;
     }
-    if model.setup().hits.is_none() || !leaves.contains(&true) {
-        return;
-    }
-    let ended: Vec<Ended> = open_contacts(state, &workspace.lists, listed)
+    let ended: Vec<Ended> = open_contacts(state, &workspace.lists)
         .filter(|ended| {
             let partner_leaves = matches!(ended.partner, Partner::Pellet(other) if leaves[other]);
             leaves[ended.pellet] || partner_leaves
         })
         .collect();
-    for ended in &ended {
-        enter_one(
-            model,
-            state.step,
-            &mut state.pellets,
-            &mut state.hits,
-            ended,
-        );
-    }
+    enter_all(model, state, ended);
 }
 
 /// The ledger as if every open contact ended now: its sketch with them, and of its rows only theirs.
 pub(crate) fn open(model: &Model, state: &State, lists: &[ChunkList]) -> HitLedger {
-    let mut ledger = state.hits.clone();
-    ledger.take_rows();
-    if model.setup().hits.is_some() {
-        let mut pellets = state.pellets.clone();
-        for ended in open_contacts(state, lists, state.searched_position.len()) {
-            enter_one(model, state.step, &mut pellets, &mut ledger, &ended);
+    let mut ledger = state.hits.without_rows();
+    if let Some(request) = &model.setup().hits {
+        let mut hardest = state.pellets.hardest_hit.clone();
+        for ended in open_contacts(state, lists) {
+            let hit = Hit {
+                is_open: true,
+                ..row(model, state.step, &state.pellets, &ended)
+            };
+            let is_kept = endure(*request, &mut hardest, &ended, &hit);
+            ledger.enter(hit, is_kept);
         }
     }
-    ledger.mark_open();
     ledger
 }
 
-/// Every open contact that a chunk counts, among a number of pellets that are listed.
-fn open_contacts<'a>(
-    state: &'a State,
-    lists: &'a [ChunkList],
-    pellets: usize,
-) -> impl Iterator<Item = Ended> + 'a {
-    let chunks = chunk::ranges(pellets).zip(lists).zip(&state.contacts);
+/// Every open contact that a chunk counts.
+fn open_contacts<'a>(state: &'a State, lists: &'a [ChunkList]) -> impl Iterator<Item = Ended> + 'a {
+    let listed = state.searched_position.len();
+    let chunks = chunk::ranges(listed).zip(lists).zip(&state.contacts);
     chunks.flat_map(|((range, list), contacts)| {
         let start = range.start;
         let of_pellets = list
@@ -126,34 +110,35 @@ fn ended(
     })
 }
 
-/// Enters one contact that ends before a step.
-fn enter_one(
-    model: &Model,
-    step: u64,
-    pellets: &mut Pellets,
-    ledger: &mut HitLedger,
-    ended: &Ended,
-) {
+/// Enters contacts that end before the coming step.
+fn enter_all(model: &Model, state: &mut State, all: impl IntoIterator<Item = Ended>) {
     let Some(request) = &model.setup().hits else {
         return;
     };
-    let hit = row(model, step, pellets, ended);
-    let mut is_hardest = hit.peak_force > pellets.hardest_hit[ended.pellet];
-    let mut endure = |index: usize| {
-        let hardest = &mut pellets.hardest_hit[index];
-        is_hardest |= hit.peak_force > *hardest;
-        *hardest = hardest.max(hit.peak_force);
-    };
-    endure(ended.pellet);
-    if let Partner::Pellet(other) = ended.partner {
-        endure(other);
+    for ended in all {
+        let hit = row(model, state.step, &state.pellets, &ended);
+        let is_kept = endure(*request, &mut state.pellets.hardest_hit, &ended, &hit);
+        state.hits.enter(hit, is_kept);
     }
-    let is_kept = if is_hardest || hit.peak_force >= request.threshold {
-        IsKept::InFull
-    } else {
-        IsKept::InSums
+}
+
+/// Notes what the pellets of a hit have endured; the hit is kept if it is new to one of them, or reaches the threshold.
+fn endure(request: HitRequest, hardest: &mut [f64], ended: &Ended, hit: &Hit) -> IsKept {
+    let other = match ended.partner {
+        Partner::Pellet(other) => Some(other),
+        Partner::Wall(_) => None,
     };
-    ledger.enter(hit, is_kept);
+    let mut is_kept = IsKept::InSums;
+    if hit.peak_force >= request.threshold {
+        is_kept = IsKept::InFull;
+    }
+    for pellet in std::iter::once(ended.pellet).chain(other) {
+        if hit.peak_force > hardest[pellet] {
+            hardest[pellet] = hit.peak_force;
+            is_kept = IsKept::InFull;
+        }
+    }
+    is_kept
 }
 
 /// A contact that ends before a step, told in full.

@@ -124,10 +124,11 @@ impl HitLedger {
         &self.rows
     }
 
-    /// Marks all rows as those of contacts still open.
-    pub(super) fn mark_open(&mut self) {
-        for hit in &mut self.rows {
-            hit.is_open = true;
+    /// Its sketch alone.
+    pub(super) fn without_rows(&self) -> Self {
+        Self {
+            classes: self.classes.clone(),
+            rows: Vec::new(),
         }
     }
 

@@ -190,6 +190,7 @@ fn lone(setup: &Setup, wall: usize, place: &Place, speed: f64) -> Setup {
     let start = place.start;
     Setup {
         gravity: Vec3::zeros(),
+        hits: None,
         pairs: of_pair.collect(),
         pellets: vec![kind],
         laws: ContactLaws {
