@@ -41,5 +41,5 @@ pub use interval::Interval;
 pub use oblique::{Approach, ObliqueSample, Rebound, Slip};
 pub use safe_speed::SafeSpeed;
 pub use scatter::{Scatter, ScatterLaw};
-pub use score::{Blow, Chance, Score, StrengthLaw, score};
+pub use score::{Blow, Chance, Score, Scorer, StrengthLaw, score};
 pub use strength::Strength;

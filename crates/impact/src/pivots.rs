@@ -113,10 +113,12 @@ fn draws(law: ScatterLaw, size: usize) -> Vec<Draw> {
 /// The quantiles between which the confidence lies.
 fn bounds(values: impl Iterator<Item = f64>) -> [f64; 2] {
     let mut values: Vec<f64> = values.collect();
-    values.sort_unstable_by(f64::total_cmp);
     let tail = 0.5 * (1.0 - CONFIDENCE);
     let last = values.len() - 1;
-    [tail, 1.0 - tail].map(|share| values[(share * last as f64).round() as usize])
+    [tail, 1.0 - tail].map(|share| {
+        let place = (share * last as f64).round() as usize;
+        *values.select_nth_unstable_by(place, f64::total_cmp).1
+    })
 }
 
 #[cfg(test)]

@@ -134,43 +134,83 @@ impl Score {
 ///
 /// When the law or a blow has a quantity outside its bounds.
 pub fn score(law: &StrengthLaw, blows: &[Blow]) -> Result<Score, ImpactError> {
-    law.validate()?;
-    for (index, blow) in blows.iter().enumerate() {
-        blow.validate().map_err(|fault| ImpactError::Blow {
-            index,
-            fault: Box::new(fault),
-        })?;
+    Scorer::new(law)?.score(blows)
+}
+
+/// A law made ready to score many lists of blows: what its sample leaves open is worked out once.
+pub struct Scorer<'law> {
+    reach: Reach<'law>,
+}
+
+impl<'law> Scorer<'law> {
+    /// Makes a law ready.
+    ///
+    /// # Errors
+    ///
+    /// When a quantity of the law is outside its bounds.
+    pub fn new(law: &'law StrengthLaw) -> Result<Self, ImpactError> {
+        law.validate()?;
+        Ok(Self {
+            reach: Reach::new(law),
+        })
     }
-    let mut order: Vec<u32> =
-        (0..u32::try_from(blows.len()).map_err(|_| too_many(blows))?).collect();
-    order.sort_by_key(|&index| blows[index as usize].pellet);
-    let mut chances = vec![Chance::default(); blows.len()];
-    let mut variance = 0.0;
-    let mut reach = Reach::new(law);
-    for life in
-        order.chunk_by(|&one, &other| blows[one as usize].pellet == blows[other as usize].pellet)
-    {
-        reach.renew();
-        let mut before = Interval::exact(0.0);
-        for &index in life {
-            let index = index as usize;
-            let Some(broken) = reach.broken_after(&blows[index]) else {
-                continue;
-            };
-            // Bounds may not fall back where pellets of several sizes would share a number.
-            chances[index] = Chance {
-                stronger: (broken.low - before.low).max(0.0),
-                best: (broken.best - before.best).max(0.0),
-                weaker: (broken.high - before.high).max(0.0),
-            };
-            before = broken;
+
+    /// The same as [`score()`].
+    ///
+    /// # Errors
+    ///
+    /// When a blow has a quantity outside its bounds.
+    pub fn score(&mut self, blows: &[Blow]) -> Result<Score, ImpactError> {
+        let count = u32::try_from(blows.len()).map_err(|_| too_many(blows))?;
+        let mut order: Vec<u32> = (0..count).collect();
+        order.sort_by_key(|&index| blows[index as usize].pellet);
+        self.score_in_order(blows, &order)
+    }
+
+    /// The same for blows that are listed in any way; `order` names each by its place, pellet by pellet and those of a
+    /// pellet in order of time.
+    ///
+    /// # Errors
+    ///
+    /// When a blow has a quantity outside its bounds.
+    ///
+    /// # Panics
+    ///
+    /// When there is no blow at a place of the order.
+    pub fn score_in_order(&mut self, blows: &[Blow], order: &[u32]) -> Result<Score, ImpactError> {
+        for (index, blow) in blows.iter().enumerate() {
+            blow.validate().map_err(|fault| ImpactError::Blow {
+                index,
+                fault: Box::new(fault),
+            })?;
         }
-        variance += before.best * (1.0 - before.best);
+        let mut chances = vec![Chance::default(); blows.len()];
+        let mut variance = 0.0;
+        for life in order
+            .chunk_by(|&one, &other| blows[one as usize].pellet == blows[other as usize].pellet)
+        {
+            self.reach.renew();
+            let mut before = Interval::exact(0.0);
+            for &index in life {
+                let index = index as usize;
+                let Some(broken) = self.reach.broken_after(&blows[index]) else {
+                    continue;
+                };
+                // Bounds may not fall back where pellets of several sizes would share a number.
+                chances[index] = Chance {
+                    stronger: (broken.low - before.low).max(0.0),
+                    best: (broken.best - before.best).max(0.0),
+                    weaker: (broken.high - before.high).max(0.0),
+                };
+                before = broken;
+            }
+            variance += before.best * (1.0 - before.best);
+        }
+        Ok(Score {
+            chances,
+            luck: variance.max(0.0).sqrt(),
+        })
     }
-    Ok(Score {
-        chances,
-        luck: variance.max(0.0).sqrt(),
-    })
 }
 
 impl Blow {
@@ -197,6 +237,8 @@ enum Reach<'law> {
         strength: &'law Strength,
         shares: LoadShares,
         greatest: f64,
+        /// Diameter of the last blow [m] and what it makes of the load, as most blows of a pellet follow each other.
+        size_effect: (f64, f64),
     },
     Energy {
         energy: &'law FractureEnergy,
@@ -213,6 +255,7 @@ impl<'law> Reach<'law> {
                 strength,
                 shares: strength.shares(),
                 greatest: 0.0,
+                size_effect: (0.0, 1.0),
             },
             StrengthLaw::Energy(energy) => Self::Energy {
                 energy,
@@ -249,8 +292,12 @@ impl<'law> Reach<'law> {
                 strength,
                 shares,
                 greatest,
+                size_effect,
             } => {
-                let load = blow.force / strength.size_effect(blow.diameter);
+                if size_effect.0 != blow.diameter {
+                    *size_effect = (blow.diameter, strength.size_effect(blow.diameter));
+                }
+                let load = blow.force / size_effect.1;
                 (load > *greatest).then(|| {
                     *greatest = load;
                     shares.share(load)

@@ -1,8 +1,7 @@
 //! What breaks, by cause, by what is hit, by size and by place.
 
-use super::{Scored, Share};
-use crate::hits::RecordedHits;
-use pelletflow_impact::{Blow, Chance};
+use super::{Blows, Share};
+use pelletflow_impact::{Blow, Chance, Score};
 use pelletflow_sim::{Cause, Hit, HitPartner};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -63,18 +62,13 @@ pub(super) struct Groups {
 
 impl Groups {
     /// Groups the blows, whose forces are told by `force` [N], and tells the `places` where most breaks.
-    pub(super) fn new(
-        recorded: &RecordedHits,
-        scored: &Scored,
-        force: fn(&Hit) -> f64,
-        places: usize,
-    ) -> Self {
-        let sizes = Sizes::of(&scored.blows);
+    pub(super) fn new(blows: &Blows, score: &Score, force: fn(&Hit) -> f64, places: usize) -> Self {
+        let sizes = Sizes::of(blows);
         let cube_side = CUBE_SIDE * sizes.largest;
         let cube = |hit: &Hit| [0, 1, 2].map(|axis| (hit.place[axis] / cube_side).floor() as i64);
         let grouping = Grouping {
-            recorded,
-            scored,
+            blows,
+            score,
             force,
         };
         Self {
@@ -84,7 +78,7 @@ impl Groups {
                     HitPartner::Wall(wall) => Some(wall),
                     HitPartner::Pellet { .. } => None,
                 },
-                |wall| wall_name(&recorded.walls, wall),
+                |wall| wall_name(&blows.recorded.walls, wall),
             ),
             by_size: grouping.by(
                 |blow, _| sizes.class(blow.diameter),
@@ -114,8 +108,8 @@ struct Sizes {
 }
 
 impl Sizes {
-    fn of(blows: &[Blow]) -> Self {
-        let diameters = || blows.iter().map(|blow| blow.diameter);
+    fn of(blows: &Blows) -> Self {
+        let diameters = || blows.felt.iter().map(|blow| blow.diameter);
         let largest = diameters().fold(0.0, f64::max);
         let least = diameters().fold(largest, f64::min);
         Self {
@@ -150,8 +144,8 @@ impl Sizes {
 
 /// Blows that are to be grouped.
 struct Grouping<'a> {
-    recorded: &'a RecordedHits,
-    scored: &'a Scored,
+    blows: &'a Blows<'a>,
+    score: &'a Score,
     force: fn(&Hit) -> f64,
 }
 
@@ -200,13 +194,14 @@ impl Grouping<'_> {
 
     fn sums<K: Ord + Copy>(&self, key: impl Fn(&Blow, &Hit) -> K) -> BTreeMap<K, Sum> {
         let mut sums: BTreeMap<K, Sum> = BTreeMap::new();
-        let chances = self.scored.score.chances.iter();
-        for ((blow, hit), &chance) in self.scored.dealt(self.recorded).zip(chances) {
+        for ((blow, hit), &chance) in self.blows.iter().zip(&self.score.chances) {
             let sum = sums.entry(key(blow, hit)).or_default();
-            sum.chance += chance;
-            let moments = [hit.speed(), hit.approach_speed, blow.diameter, blow.mass];
-            for (sum, moment) in sum.moments.iter_mut().zip(moments) {
-                *sum += chance.best * moment;
+            if chance != Chance::default() {
+                sum.chance += chance;
+                let moments = [hit.speed(), hit.approach_speed, blow.diameter, blow.mass];
+                for (sum, moment) in sum.moments.iter_mut().zip(moments) {
+                    *sum += chance.best * moment;
+                }
             }
             sum.blows += 1;
             sum.worst_force = sum.worst_force.max((self.force)(hit));
@@ -228,7 +223,7 @@ impl Grouping<'_> {
         Group {
             name,
             breaking,
-            broken: Share::of(sum.chance.broken(), self.recorded.pellets),
+            broken: Share::of(sum.chance.broken(), self.blows.recorded.pellets),
             blows: sum.blows,
             worst_force_n: sum.worst_force,
         }

@@ -8,7 +8,7 @@ pub use groups::{Breaking, Group, Place};
 
 use crate::hits::RecordedHits;
 use groups::Groups;
-use pelletflow_impact::{Blow, ImpactError, Interval, Scatter, Score, StrengthLaw, score};
+use pelletflow_impact::{Blow, ImpactError, Interval, Scatter, Score, Scorer, StrengthLaw};
 use pelletflow_sim::{Hit, HitPartner};
 use serde::Serialize;
 
@@ -109,24 +109,24 @@ pub fn breakage(
     request: &BreakageRequest,
 ) -> Result<Breakage, ImpactError> {
     let law = &request.law;
-    let as_simulated = Scored::new(law, recorded, |hit| hit.peak_force)?;
+    let mut scorer = Scorer::new(law)?;
+    let mut blows = Blows::new(recorded);
+    let as_simulated = blows.score(&mut scorer, |hit| hit.peak_force)?;
     let has_force = matches!(law, StrengthLaw::Load(_));
-    let with_forces = |force: &dyn Fn(&Hit) -> f64| {
-        has_force
-            .then(|| as_simulated.with_forces(law, recorded, force))
-            .transpose()
-    };
-    let at_true_stiffness = with_forces(&Hit::true_force)?;
-    let yielding = match request.yield_pressure {
-        Some(pressure) => with_forces(&|hit| hit.yielded_force(pressure))?,
-        None => None,
-    };
+    let at_true_stiffness = has_force
+        .then(|| blows.score(&mut scorer, Hit::true_force))
+        .transpose()?;
+    let yielding = request
+        .yield_pressure
+        .filter(|_| has_force)
+        .map(|pressure| blows.score(&mut scorer, |hit| hit.yielded_force(pressure)))
+        .transpose()?;
     let (told, force): (_, fn(&Hit) -> f64) = match &at_true_stiffness {
         Some(scored) if recorded.is_softened => (scored, Hit::true_force),
         _ => (&as_simulated, |hit| hit.peak_force),
     };
-    let groups = Groups::new(recorded, told, force, request.places);
-    let share = |scored: &Scored| Share::of(scored.score.broken(), recorded.pellets);
+    let groups = Groups::new(&blows, told, force, request.places);
+    let share = |score: &Score| Share::of(score.broken(), recorded.pellets);
     Ok(Breakage {
         pellets: recorded.pellets,
         hits: recorded.classes.values().map(|class| class.count).sum(),
@@ -139,8 +139,8 @@ pub fn breakage(
         broken_at_true_stiffness: at_true_stiffness.as_ref().map(share),
         broken_yielding: yielding.as_ref().map(share),
         confidence: confidence(law),
-        luck_pellets: told.score.luck,
-        warnings: warnings::warnings(recorded, request, &as_simulated),
+        luck_pellets: told.luck,
+        warnings: warnings::warnings(&blows, request, &as_simulated),
         by_cause: groups.by_cause,
         by_wall: groups.by_wall,
         by_size: groups.by_size,
@@ -161,29 +161,22 @@ fn confidence(law: &StrengthLaw) -> Option<f64> {
     sample_size.map(|_| pelletflow_impact::strength::CONFIDENCE)
 }
 
-/// Blows and the chance of each to break its pellet.
-struct Scored {
-    blows: Vec<Blow>,
-    /// The hit that dealt each blow, by its place in the recording.
+/// The blows of recorded hits.
+struct Blows<'a> {
+    recorded: &'a RecordedHits,
+    /// Hit by hit, those of two pellets twice; without forces.
+    felt: Vec<Blow>,
+    /// The hit that dealt each, by its place in the recording.
     hits: Vec<u32>,
-    score: Score,
+    /// Places of blows, pellet by pellet and those of a pellet in order of time.
+    lives: Vec<u32>,
 }
 
-impl Scored {
-    fn new(
-        law: &StrengthLaw,
-        recorded: &RecordedHits,
-        force: impl Fn(&Hit) -> f64,
-    ) -> Result<Self, ImpactError> {
-        let mut in_time: Vec<u32> = (0..recorded.hits.len() as u32).collect();
-        in_time.sort_by(|&one, &other| {
-            let moment = |index: u32| recorded.hits[index as usize].peak_time;
-            moment(one).total_cmp(&moment(other))
-        });
+impl<'a> Blows<'a> {
+    fn new(recorded: &'a RecordedHits) -> Self {
         let mut blows = Vec::with_capacity(2 * recorded.hits.len());
         let mut hits = Vec::with_capacity(2 * recorded.hits.len());
-        for index in in_time {
-            let hit = &recorded.hits[index as usize];
+        for (index, hit) in (0..).zip(&recorded.hits) {
             // A wall is so much stiffer that the pellet takes up all; two pellets share alike.
             let (energy, other) = match hit.partner {
                 HitPartner::Wall(_) => (hit.approach_energy(), None),
@@ -197,41 +190,42 @@ impl Scored {
                     pellet,
                     diameter,
                     mass,
-                    force: force(hit),
+                    force: 0.0,
                     energy,
                 });
                 hits.push(index);
             }
         }
-        let score = score(law, &blows)?;
-        Ok(Self { blows, hits, score })
-    }
-
-    /// The same blows with other forces [N].
-    fn with_forces(
-        &self,
-        law: &StrengthLaw,
-        recorded: &RecordedHits,
-        force: &dyn Fn(&Hit) -> f64,
-    ) -> Result<Self, ImpactError> {
-        let mut blows = self.blows.clone();
-        for (blow, &hit) in blows.iter_mut().zip(&self.hits) {
-            blow.force = force(&recorded.hits[hit as usize]);
+        let mut lives: Vec<(u32, u32)> = blows.iter().map(|blow| blow.pellet).zip(0..).collect();
+        lives.sort_unstable();
+        // Hits end nearly in the order of their peaks, so that each life is nearly sorted.
+        let moment = |place: u32| recorded.hits[hits[place as usize] as usize].peak_time;
+        for life in lives.chunk_by_mut(|one, other| one.0 == other.0) {
+            life.sort_by(|one, other| moment(one.1).total_cmp(&moment(other.1)));
         }
-        let score = score(law, &blows)?;
-        Ok(Self {
-            blows,
-            hits: self.hits.clone(),
-            score,
-        })
+        Self {
+            recorded,
+            lives: lives.into_iter().map(|(_, place)| place).collect(),
+            felt: blows,
+            hits,
+        }
     }
 
-    /// Blows with the hits that dealt them.
-    fn dealt<'a>(
-        &'a self,
-        recorded: &'a RecordedHits,
-    ) -> impl Iterator<Item = (&'a Blow, &'a Hit)> {
-        let hit_of = |&index: &u32| &recorded.hits[index as usize];
-        self.blows.iter().zip(self.hits.iter().map(hit_of))
+    /// The chance of each to break its pellet, by forces told of hits [N].
+    fn score(
+        &mut self,
+        scorer: &mut Scorer,
+        force: impl Fn(&Hit) -> f64,
+    ) -> Result<Score, ImpactError> {
+        for (blow, &hit) in self.felt.iter_mut().zip(&self.hits) {
+            blow.force = force(&self.recorded.hits[hit as usize]);
+        }
+        scorer.score_in_order(&self.felt, &self.lives)
+    }
+
+    /// Every blow with the hit that dealt it.
+    fn iter(&self) -> impl Iterator<Item = (&Blow, &'a Hit)> + '_ {
+        let hit_of = |&hit: &u32| &self.recorded.hits[hit as usize];
+        self.felt.iter().zip(self.hits.iter().map(hit_of))
     }
 }

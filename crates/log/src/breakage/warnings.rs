@@ -1,18 +1,14 @@
 //! What the numbers of breakage do not know.
 
-use super::{BreakageRequest, Scored, confidence};
-use crate::hits::RecordedHits;
-use pelletflow_impact::StrengthLaw;
+use super::{Blows, BreakageRequest, confidence};
+use pelletflow_impact::{Score, StrengthLaw};
 
 /// Fewest steps of a hit whose peak force holds to some percent [-].
 const FEW_STEPS: u64 = 8;
 
 /// Sentences about what is missing or uncertain.
-pub(super) fn warnings(
-    recorded: &RecordedHits,
-    request: &BreakageRequest,
-    scored: &Scored,
-) -> Vec<String> {
+pub(super) fn warnings(blows: &Blows, request: &BreakageRequest, score: &Score) -> Vec<String> {
+    let recorded = blows.recorded;
     let mut warnings = Vec::new();
     if recorded.is_cut_off {
         warnings.push(format!(
@@ -30,9 +26,9 @@ pub(super) fn warnings(
                 .into(),
         );
     }
-    let coarse = scored
-        .dealt(recorded)
-        .zip(&scored.score.chances)
+    let coarse = blows
+        .iter()
+        .zip(&score.chances)
         .filter(|((_, hit), chance)| chance.best > 0.0 && hit.steps < FEW_STEPS)
         .count();
     if coarse > 0 {
