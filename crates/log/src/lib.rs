@@ -5,6 +5,7 @@
 //! even one that was cut off.
 
 pub mod accuracy;
+pub mod breakage;
 mod course;
 mod ending;
 mod error;
@@ -26,6 +27,7 @@ pub mod surface;
 pub mod tables;
 mod worst_hits;
 
+pub use breakage::{Breakage, BreakageRequest, breakage};
 pub use error::{ReadError, RunError};
 pub use frames::{FrameRecord, Frames, PelletRecord, read_attachment, read_frames};
 pub use hit_summary::HitSummary;

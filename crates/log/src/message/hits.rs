@@ -103,6 +103,7 @@ columns! {
         approach_speed_m_per_s: float f32 = "24",
         sliding_speed_m_per_s: float f32 = "25",
         effective_radius_m: float f32 = "26",
+        arrival_pressure_pa: double f64 = "27",
     }
 }
 
@@ -161,6 +162,7 @@ pub(crate) fn message(hits: &[Hit]) -> Hits {
         block.approach_speed_m_per_s.push(hit.approach_speed as f32);
         block.sliding_speed_m_per_s.push(hit.sliding_speed as f32);
         block.effective_radius_m.push(hit.effective_radius as f32);
+        block.arrival_pressure_pa.push(hit.arrival_pressure);
     }
     block
 }
@@ -201,6 +203,7 @@ pub(crate) fn hits(block: &Hits) -> Result<Vec<Hit>, String> {
                 peak_force: block.peak_force_n[row],
                 sampled_force: block.sampled_force_n[row],
                 arrival_force: block.arrival_force_n[row],
+                arrival_pressure: block.arrival_pressure_pa[row],
                 peak_pressure: block.peak_pressure_pa[row],
                 normal_impulse: block.normal_impulse_n_s[row],
                 tangential_impulse: block.tangential_impulse_n_s[row],
