@@ -126,7 +126,7 @@ pub fn read_tables(path: impl AsRef<Path>, kinds: &[TableKind]) -> Result<Tables
 /// What becomes of the messages of one channel.
 enum Sink {
     Bodies(Bodies),
-    Hits(Hits),
+    Hits(Box<Hits>),
     Classes(Classes),
     Series(Series),
     Events(Events),
@@ -162,7 +162,7 @@ impl<'a> Reader<'a> {
         }
         let sink = match kind {
             TableKind::Bodies => Sink::Bodies(Bodies::default()),
-            TableKind::Hits => Sink::Hits(Hits::default()),
+            TableKind::Hits => Sink::Hits(Box::default()),
             TableKind::HitClasses => Sink::Classes(Classes::default()),
             TableKind::Events => Sink::Events(Events::default()),
             TableKind::Meters | TableKind::MassLedger | TableKind::EnergyLedger => {
