@@ -47,7 +47,7 @@ class _Results:
 
 @dataclass(frozen=True)
 class Impact(_Results):
-    """Hits from first touch to release; every array has the shape that the arguments broadcast to."""
+    """Hits from first touch to release; the arrays have the shape that the arguments make."""
 
     peak_force: Floats
     """Greatest normal force [N]."""
@@ -112,7 +112,7 @@ def impact(
     """Follow hits of pellets on a flat surface, from first touch to release.
 
     The arguments broadcast against each other as NumPy arrays do.
-    Only the motion along the normal is followed; ``pelletflow impact`` follows sliding and spin too.
+    Only the motion along the normal is followed; ``pelletflow impact`` follows sliding too.
 
     >>> import numpy as np
     >>> import pelletflow as pf
@@ -130,7 +130,7 @@ def impact(
         youngs_modulus: Of the pellet [Pa].
         shear_modulus: Of the pellet, in place of Young's modulus [Pa].
         poisson_ratio: Of the pellet [-].
-        restitution: Rebound speed over approach speed; the hit is elastic where nothing is given [-].
+        restitution: Rebound speed over approach speed [-]; the hit is elastic if None.
         relaxation_time: Of a viscoelastic pellet, in place of the restitution [s].
 
     Raises:
@@ -175,7 +175,7 @@ def safe_speed(
     >>> import pelletflow as pf
     >>> safe = pf.safe_speed([0.01, 0.1], pellet="fired-pellet", strength=2450, scatter=0.3)
     >>> safe.speed.round(2)
-    array([ 9.23, 11.84])
+    array([ 9.23, 11.92])
 
     Args:
         risk: Share of the pellets that may break [-].

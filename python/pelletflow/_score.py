@@ -18,7 +18,7 @@ from pelletflow.errors import InputError
 
 @dataclass(frozen=True)
 class Score:
-    """Share of the pellets that the hits of a run break; the arrays have the shape of the arguments.
+    """Share of the pellets that the hits of a run break, in the shape of the arguments.
 
     Of a run with softened pellets it is told by the forces at true stiffness, else by those of the
     run; `details` holds both.

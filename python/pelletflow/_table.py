@@ -97,12 +97,13 @@ class Table(Mapping[str, npt.NDArray[Any]]):
             texts = np.empty(len(values), dtype=object)
             texts[:] = values
             return texts
+        numbers: npt.NDArray[Any] = values
         if known is None:
-            return values
-        if values.dtype.kind == "f":
-            values[~known] = np.nan
-            return values
-        return np.ma.masked_array(values, mask=~known)
+            return numbers
+        if numbers.dtype.kind == "f":
+            numbers[~known] = np.nan
+            return numbers
+        return np.ma.masked_array(numbers, mask=~known)
 
     def __iter__(self) -> Iterator[str]:
         """Go through the names of the columns."""
