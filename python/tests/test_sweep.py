@@ -297,11 +297,6 @@ def test_a_sweep_that_is_killed_is_completed_by_calling_again(drop_file, tmp_pat
     assert not list((tmp_path / "out").glob("unfinished-*"))
 
 
-def burn(count: int) -> int:
-    """Work of the processor alone."""
-    return sum(range(count))
-
-
 def test_two_processes_take_under_0_6_of_the_time_of_one(drop_file, tmp_path):
     """64 short runs; the bound is that of two free cores, which others may use in part."""
     if (os.cpu_count() or 1) < 2:
@@ -316,7 +311,7 @@ def test_two_processes_take_under_0_6_of_the_time_of_one(drop_file, tmp_path):
             values = {"time.end": "4 s", "output.hits": False}
             pf.sweep(drop_file, points, output=output, executor=pool, set=values)
             middle = time.perf_counter()
-            list(pool.map(burn, [2_000_000] * 64))
+            list(pool.map(sum, [range(2_000_000)] * 64))
             return np.array([middle - began, time.perf_counter() - middle])
 
     ratios = []
