@@ -6,10 +6,7 @@ Made from the schema by ``python/tests/scene_types.py``; a test holds the two to
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any, Literal, TypeAlias, TypedDict
-
-
-AxisSpec: TypeAlias = "Literal['x'] | Literal['y'] | Literal['z']"
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypedDict
 
 
 class ConditionSpec(TypedDict, total=False):
@@ -37,26 +34,23 @@ class ConditionSpec(TypedDict, total=False):
 class ContactSpec(TypedDict, total=False):
     """Contact laws and neighbor search."""
 
-    normal: NormalSpec
+    normal: _NormalSpec
     """How bodies push apart."""
 
-    rolling: TurningSpec
+    rolling: _TurningSpec
     """How bodies resist rolling over each other; `constant-torque` where none is given."""
 
-    search: SearchSpec
+    search: _SearchSpec
     """How neighbors are found; every way gives the same result."""
 
     skin: float | str
     """Extra reach of a neighbor list [m]; it follows the motion seen where none is given."""
 
-    tangential: TangentialSpec
+    tangential: _TangentialSpec
     """How bodies resist sliding."""
 
-    twisting: TurningSpec
+    twisting: _TurningSpec
     """How bodies resist twisting on each other; `none` where none is given."""
-
-
-DiameterSpec: TypeAlias = 'float | str | DistributionSpec'
 
 
 class DistributionSpec(TypedDict, total=False):
@@ -96,11 +90,8 @@ class DomainSpec(TypedDict, total=False):
     min: Sequence[float | str]
     """Lowest corner [m]."""
 
-    periodic: Sequence[AxisSpec]
+    periodic: Sequence[_AxisSpec]
     """Axes along which a pellet that leaves the box comes in again at the opposite side: `["x", "y"]`; none where none is given."""
-
-
-EntrySpec: TypeAlias = 'float | str | bool | ConditionSpec | Mapping[str, EntrySpec]'
 
 
 class ExpectSpec(TypedDict, total=False):
@@ -122,13 +113,13 @@ class FillSpec(TypedDict, total=False):
     mass: float | str
     """At least this mass, to the next whole pellet [kg]."""
 
-    packing: PackingSpec
+    packing: _PackingSpec
     """How the pellets are put into the region; `lattice` where all are of one size or nothing pulls them down, `deposit` else."""
 
     pellets: str
     """Name of the kind of pellets."""
 
-    region: ShapeSpec
+    region: _ShapeSpec
     """Where the pellets are put, without overlap and from the bottom up; each lies wholly inside."""
 
     spin: Sequence[float | str]
@@ -139,9 +130,6 @@ class FillSpec(TypedDict, total=False):
 
     velocity: Sequence[float | str]
     """Velocity at the start [m/s]; at rest where none is given."""
-
-
-GateState: TypeAlias = "Literal['closed'] | Literal['open']"
 
 
 class HeaderSpec(TypedDict, total=False):
@@ -172,7 +160,7 @@ class InletSpec(TypedDict, total=False):
     rate: float | str
     """How fast they come: "250 t/h" or "200 1/s"; a plain number is kg/s."""
 
-    region: ShapeSpec
+    region: _ShapeSpec
     """Where pellets appear; each lies wholly inside."""
 
     start: float | str
@@ -180,12 +168,6 @@ class InletSpec(TypedDict, total=False):
 
     velocity: Sequence[float | str]
     """Velocity as they appear [m/s]; at rest where none is given."""
-
-
-IntegratorSpec: TypeAlias = "Literal['semi-implicit-euler'] | Literal['velocity-verlet'] | Literal['located-verlet']"
-
-
-InterpolationSpec: TypeAlias = "Literal['linear'] | Literal['smooth']"
 
 
 class LimitsSpec(TypedDict, total=False):
@@ -238,14 +220,185 @@ class MeshSpec(TypedDict, total=False):
     translate: Sequence[float | str]
     """A move, after the turn [m]."""
 
-    unit: MeshUnitSpec
+    unit: _MeshUnitSpec
     """Unit of the numbers in the file; m where none is given."""
 
     weld: float | str
     """Distance up to which corners are one [m]; a millionth of the size of the mesh where none is given."""
 
 
-MeshUnitSpec: TypeAlias = "Literal['m'] | Literal['cm'] | Literal['mm'] | Literal['in'] | Literal['ft']"
+class OutletSpec(TypedDict, total=False):
+    """Where pellets leave: one whose center is inside is discharged."""
+
+    region: _ShapeSpec
+    """The region."""
+
+
+class OutputSpec(TypedDict, total=False):
+    """What is recorded and how often."""
+
+    frame_interval: float | str
+    """Time between recorded frames [s]; chosen from the length of the run where none is given."""
+
+    hits: bool
+    """Whether every contact is followed from first touch to release and recorded; true where nothing is said."""
+
+    hits_above: float | str
+    """Greatest normal force from which on every hit is recorded in full [N]; a tenth of the strength's load where none is given. Hits harder than all before them of a pellet are recorded in any case."""
+
+    meter_interval: float | str
+    """Time between recorded meter readings [s]; chosen from the length of the run where none is given."""
+
+    spheres_up_to: int
+    """Number of pellets up to which they are recorded as spheres of true size [-]; 2000 where none is given."""
+
+
+class PairSpec(TypedDict, total=False):
+    """What is measured on two materials together."""
+
+    friction: float
+    """Coulomb's coefficient of sliding friction [-]."""
+
+    restitution: float
+    """Rebound speed over approach speed of a normal impact [-]."""
+
+    rolling_damping: float
+    """Damping of rolling and twisting by the law `spring-dashpot`, over critical damping [-]; 0.3 where none is given."""
+
+    rolling_friction: float
+    """Coefficient of rolling friction [-]."""
+
+    stiffness: float | str
+    """Stiffness by the normal law `linear` [N/m]."""
+
+    surface_energy: float | str
+    """Work that parting takes per area of contact, by the normal law `jkr` [J/m²]."""
+
+    yield_pressure: float | str
+    """Pressure in the middle of the contact at which the softer body yields, by the normal law `plastic` [Pa]."""
+
+
+class PelletSpec(TypedDict, total=False):
+    """Pellets of one material and one distribution of sizes."""
+
+    diameter: _DiameterSpec
+    """Diameter of all [m], or a table of a distribution."""
+
+    material: str
+    """Name of the material."""
+
+
+class RotateSpec(TypedDict, total=False):
+    """A turn about an axis, right-handed."""
+
+    about: Sequence[float | str]
+    """A point of the axis [m]; the origin where none is given."""
+
+    angle: float | str
+    """Angle [rad]."""
+
+    axis: Sequence[float]
+    """Direction of the axis, of any length [-]."""
+
+
+class ScheduleSpec(TypedDict, total=False):
+    """The moments at which a gate opens and closes."""
+
+    at_first: _GateState
+    """How it is at first."""
+
+    changes: Sequence[float | str]
+    """Moments at which it changes, rising [s]."""
+
+
+class SkipSpec(TypedDict, total=False):
+    """Work that may be left out because it changes nothing; false forces it back in."""
+
+    distant_walls: bool
+    """No wall evaluated for a pellet that cannot reach it; true where nothing is said."""
+
+    free_flight: bool
+    """Many steps at once while no pellet is near anything; true where nothing is said."""
+
+    rotation: bool
+    """No spin where no law acts on it; true where nothing is said."""
+
+
+class StopSpec(TypedDict, total=False):
+    """What ends the run before its time; any one is enough."""
+
+    empty_after: float | str
+    """No pellet is inside any more, after this moment [s]."""
+
+    settled_after: float | str
+    """The bed has come to rest, after this moment [s]."""
+
+    settled_speed: float | str
+    """Root mean square speed below which the bed counts as at rest [m/s]; 5 mm/s where none is given."""
+
+
+class StrengthSpec(TypedDict, total=False):
+    """What a pellet withstands."""
+
+    load: float | str
+    """Normal force at which half of the pellets break [N]."""
+
+
+class SwingSpec(TypedDict, total=False):
+    """A turn to and fro, in time with a vibration."""
+
+    angle: float | str
+    """Greatest turn, and the way it goes first, right-handed about the axis [rad]."""
+
+    axis: Sequence[float]
+    """Direction of the axis, of any length [-]."""
+
+    center: Sequence[float | str]
+    """A point of the axis, before the displacement [m]."""
+
+
+class TimeSpec(TypedDict, total=False):
+    """How long and in what steps; give at most one of `step` and `peak_force_error`."""
+
+    end: float | str
+    """Simulated time at which the run ends at the latest [s]."""
+
+    integrator: _IntegratorSpec
+    """How forces become motion; `located-verlet` where none is given."""
+
+    peak_force_error: float | str
+    """Error of the peak force of the fastest hit, from which the step is chosen [-]; 0.001 where none is given."""
+
+    step: float | str
+    """A fixed time step [s]."""
+
+
+class WallSpec(TypedDict, total=False):
+    """A piece of equipment."""
+
+    closes_at: float | str
+    """Moment at which it appears, as a gate that closes [s]."""
+
+    material: str
+    """Name of the material."""
+
+    mesh: MeshSpec
+    """Its triangles, from a file of CAD; this or `shape`."""
+
+    motion: _MotionsSpec
+    """How it moves, or a list of motions, the innermost first; it stays where nothing is said."""
+
+    opens_at: float | str
+    """Moment at which it vanishes, as a gate that opens [s]."""
+
+    schedule: ScheduleSpec
+    """More than one opening and closing; in place of `opens_at` and `closes_at`."""
+
+    shape: _ShapeSpec
+    """Its solid; this or `mesh`."""
+
+    surface_velocity: Sequence[float | str]
+    """Velocity of its surface beside its motion, as of a belt; only the part along the surface acts [m/s]."""
 
 
 class MeterMassFlow(TypedDict, total=False):
@@ -350,9 +503,6 @@ class MeterHeap(TypedDict, total=False):
     """Direction of the axis, out of the ground, of any length [-]; z where none is given."""
 
 
-MeterSpec: TypeAlias = 'MeterMassFlow | MeterPlaneFlow | MeterWallForce | MeterWallImpacts | MeterWear | MeterBox | MeterResidence | MeterHeap'
-
-
 class MotionFixed(TypedDict, total=False):
     """It stays."""
 
@@ -425,112 +575,13 @@ class MotionTable(TypedDict, total=False):
     displacements: Sequence[Sequence[float | str]]
     """Displacement from the rest position at each moment [m]; none where none are given."""
 
-    interpolation: InterpolationSpec
+    interpolation: _InterpolationSpec
     """How it goes from one row to the next; `linear` where nothing is said."""
 
     kind: Literal['table']
 
     moments: Sequence[float | str]
     """Moments of the rows, rising [s]."""
-
-
-MotionSpec: TypeAlias = 'MotionFixed | MotionTranslating | MotionRotating | MotionVibrating | MotionTable'
-
-
-MotionsSpec: TypeAlias = 'MotionSpec | Sequence[MotionSpec]'
-
-
-NormalSpec: TypeAlias = "Literal['hertz'] | Literal['linear'] | Literal['plastic'] | Literal['jkr']"
-
-
-class OutletSpec(TypedDict, total=False):
-    """Where pellets leave: one whose center is inside is discharged."""
-
-    region: ShapeSpec
-    """The region."""
-
-
-class OutputSpec(TypedDict, total=False):
-    """What is recorded and how often."""
-
-    frame_interval: float | str
-    """Time between recorded frames [s]; chosen from the length of the run where none is given."""
-
-    hits: bool
-    """Whether every contact is followed from first touch to release and recorded; true where nothing is said."""
-
-    hits_above: float | str
-    """Greatest normal force from which on every hit is recorded in full [N]; a tenth of the strength's load where none is given. Hits harder than all before them of a pellet are recorded in any case."""
-
-    meter_interval: float | str
-    """Time between recorded meter readings [s]; chosen from the length of the run where none is given."""
-
-    spheres_up_to: int
-    """Number of pellets up to which they are recorded as spheres of true size [-]; 2000 where none is given."""
-
-
-PackingSpec: TypeAlias = "Literal['lattice'] | Literal['deposit']"
-
-
-class PairSpec(TypedDict, total=False):
-    """What is measured on two materials together."""
-
-    friction: float
-    """Coulomb's coefficient of sliding friction [-]."""
-
-    restitution: float
-    """Rebound speed over approach speed of a normal impact [-]."""
-
-    rolling_damping: float
-    """Damping of rolling and twisting by the law `spring-dashpot`, over critical damping [-]; 0.3 where none is given."""
-
-    rolling_friction: float
-    """Coefficient of rolling friction [-]."""
-
-    stiffness: float | str
-    """Stiffness by the normal law `linear` [N/m]."""
-
-    surface_energy: float | str
-    """Work that parting takes per area of contact, by the normal law `jkr` [J/m²]."""
-
-    yield_pressure: float | str
-    """Pressure in the middle of the contact at which the softer body yields, by the normal law `plastic` [Pa]."""
-
-
-class PelletSpec(TypedDict, total=False):
-    """Pellets of one material and one distribution of sizes."""
-
-    diameter: DiameterSpec
-    """Diameter of all [m], or a table of a distribution."""
-
-    material: str
-    """Name of the material."""
-
-
-class RotateSpec(TypedDict, total=False):
-    """A turn about an axis, right-handed."""
-
-    about: Sequence[float | str]
-    """A point of the axis [m]; the origin where none is given."""
-
-    angle: float | str
-    """Angle [rad]."""
-
-    axis: Sequence[float]
-    """Direction of the axis, of any length [-]."""
-
-
-class ScheduleSpec(TypedDict, total=False):
-    """The moments at which a gate opens and closes."""
-
-    at_first: GateState
-    """How it is at first."""
-
-    changes: Sequence[float | str]
-    """Moments at which it changes, rising [s]."""
-
-
-SearchSpec: TypeAlias = "Literal['auto'] | Literal['grid'] | Literal['hierarchical-grid'] | Literal['tree'] | Literal['all-pairs']"
 
 
 class ShapeHalfSpace(TypedDict, total=False):
@@ -760,7 +811,7 @@ class ShapeUnion(TypedDict, total=False):
 
     kind: Literal['union']
 
-    of: Sequence[ShapeSpec]
+    of: Sequence[_ShapeSpec]
     """The parts."""
 
     rotate: RotateSpec
@@ -775,7 +826,7 @@ class ShapeIntersection(TypedDict, total=False):
 
     kind: Literal['intersection']
 
-    of: Sequence[ShapeSpec]
+    of: Sequence[_ShapeSpec]
     """The parts."""
 
     rotate: RotateSpec
@@ -790,10 +841,10 @@ class ShapeDifference(TypedDict, total=False):
 
     kind: Literal['difference']
 
-    minus: ShapeSpec
+    minus: _ShapeSpec
     """What is taken away."""
 
-    of: ShapeSpec
+    of: _ShapeSpec
     """What is cut."""
 
     rotate: RotateSpec
@@ -808,7 +859,7 @@ class ShapeBlend(TypedDict, total=False):
 
     kind: Literal['blend']
 
-    of: Sequence[ShapeSpec]
+    of: Sequence[_ShapeSpec]
     """The parts."""
 
     radius: float | str
@@ -829,7 +880,7 @@ class ShapeMirror(TypedDict, total=False):
     normal: Sequence[float]
     """Direction across the plane, of any length [-]."""
 
-    of: ShapeSpec
+    of: _ShapeSpec
     """What is mirrored."""
 
     point: Sequence[float | str]
@@ -853,7 +904,7 @@ class ShapeScale(TypedDict, total=False):
 
     kind: Literal['scale']
 
-    of: ShapeSpec
+    of: _ShapeSpec
     """What is scaled."""
 
     rotate: RotateSpec
@@ -868,7 +919,7 @@ class ShapeShell(TypedDict, total=False):
 
     kind: Literal['shell']
 
-    of: ShapeSpec
+    of: _ShapeSpec
     """What is hollowed out."""
 
     rotate: RotateSpec
@@ -889,7 +940,7 @@ class ShapeOffset(TypedDict, total=False):
 
     kind: Literal['offset']
 
-    of: ShapeSpec
+    of: _ShapeSpec
     """What is grown."""
 
     rotate: RotateSpec
@@ -897,105 +948,6 @@ class ShapeOffset(TypedDict, total=False):
 
     translate: Sequence[float | str]
     """A move, after the turn [m]."""
-
-
-ShapeSpec: TypeAlias = 'ShapeHalfSpace | ShapeSphere | ShapeCylinder | ShapeCone | ShapeTorus | ShapeCapsule | ShapeEllipsoid | ShapeBox | ShapePlate | ShapeRevolution | ShapeUnion | ShapeIntersection | ShapeDifference | ShapeBlend | ShapeMirror | ShapeScale | ShapeShell | ShapeOffset'
-
-
-class SkipSpec(TypedDict, total=False):
-    """Work that may be left out because it changes nothing; false forces it back in."""
-
-    distant_walls: bool
-    """No wall evaluated for a pellet that cannot reach it; true where nothing is said."""
-
-    free_flight: bool
-    """Many steps at once while no pellet is near anything; true where nothing is said."""
-
-    rotation: bool
-    """No spin where no law acts on it; true where nothing is said."""
-
-
-class StopSpec(TypedDict, total=False):
-    """What ends the run before its time; any one is enough."""
-
-    empty_after: float | str
-    """No pellet is inside any more, after this moment [s]."""
-
-    settled_after: float | str
-    """The bed has come to rest, after this moment [s]."""
-
-    settled_speed: float | str
-    """Root mean square speed below which the bed counts as at rest [m/s]; 5 mm/s where none is given."""
-
-
-class StrengthSpec(TypedDict, total=False):
-    """What a pellet withstands."""
-
-    load: float | str
-    """Normal force at which half of the pellets break [N]."""
-
-
-class SwingSpec(TypedDict, total=False):
-    """A turn to and fro, in time with a vibration."""
-
-    angle: float | str
-    """Greatest turn, and the way it goes first, right-handed about the axis [rad]."""
-
-    axis: Sequence[float]
-    """Direction of the axis, of any length [-]."""
-
-    center: Sequence[float | str]
-    """A point of the axis, before the displacement [m]."""
-
-
-TangentialSpec: TypeAlias = "Literal['none'] | Literal['coulomb'] | Literal['mindlin'] | Literal['partial-slip']"
-
-
-class TimeSpec(TypedDict, total=False):
-    """How long and in what steps; give at most one of `step` and `peak_force_error`."""
-
-    end: float | str
-    """Simulated time at which the run ends at the latest [s]."""
-
-    integrator: IntegratorSpec
-    """How forces become motion; `located-verlet` where none is given."""
-
-    peak_force_error: float | str
-    """Error of the peak force of the fastest hit, from which the step is chosen [-]; 0.001 where none is given."""
-
-    step: float | str
-    """A fixed time step [s]."""
-
-
-TurningSpec: TypeAlias = "Literal['none'] | Literal['constant-torque'] | Literal['spring-dashpot']"
-
-
-class WallSpec(TypedDict, total=False):
-    """A piece of equipment."""
-
-    closes_at: float | str
-    """Moment at which it appears, as a gate that closes [s]."""
-
-    material: str
-    """Name of the material."""
-
-    mesh: MeshSpec
-    """Its triangles, from a file of CAD; this or `shape`."""
-
-    motion: MotionsSpec
-    """How it moves, or a list of motions, the innermost first; it stays where nothing is said."""
-
-    opens_at: float | str
-    """Moment at which it vanishes, as a gate that opens [s]."""
-
-    schedule: ScheduleSpec
-    """More than one opening and closing; in place of `opens_at` and `closes_at`."""
-
-    shape: ShapeSpec
-    """Its solid; this or `mesh`."""
-
-    surface_velocity: Sequence[float | str]
-    """Velocity of its surface beside its motion, as of a belt; only the part along the surface acts [m/s]."""
 
 
 class SceneSpec(TypedDict, total=False):
@@ -1022,7 +974,7 @@ class SceneSpec(TypedDict, total=False):
     materials: Mapping[str, MaterialSpec]
     """Materials by name."""
 
-    meters: Mapping[str, MeterSpec]
+    meters: Mapping[str, _MeterSpec]
     """What is measured, by name."""
 
     outlets: Mapping[str, OutletSpec]
@@ -1057,3 +1009,22 @@ class SceneSpec(TypedDict, total=False):
 
     walls: Mapping[str, WallSpec]
     """Equipment by name."""
+
+
+if TYPE_CHECKING:
+    _AxisSpec: TypeAlias = "Literal['x'] | Literal['y'] | Literal['z']"
+    _DiameterSpec: TypeAlias = 'float | str | DistributionSpec'
+    _EntrySpec: TypeAlias = 'float | str | bool | ConditionSpec | Mapping[str, _EntrySpec]'
+    _GateState: TypeAlias = "Literal['closed'] | Literal['open']"
+    _IntegratorSpec: TypeAlias = "Literal['semi-implicit-euler'] | Literal['velocity-verlet'] | Literal['located-verlet']"
+    _InterpolationSpec: TypeAlias = "Literal['linear'] | Literal['smooth']"
+    _MeshUnitSpec: TypeAlias = "Literal['m'] | Literal['cm'] | Literal['mm'] | Literal['in'] | Literal['ft']"
+    _MeterSpec: TypeAlias = 'MeterMassFlow | MeterPlaneFlow | MeterWallForce | MeterWallImpacts | MeterWear | MeterBox | MeterResidence | MeterHeap'
+    _MotionSpec: TypeAlias = 'MotionFixed | MotionTranslating | MotionRotating | MotionVibrating | MotionTable'
+    _MotionsSpec: TypeAlias = '_MotionSpec | Sequence[_MotionSpec]'
+    _NormalSpec: TypeAlias = "Literal['hertz'] | Literal['linear'] | Literal['plastic'] | Literal['jkr']"
+    _PackingSpec: TypeAlias = "Literal['lattice'] | Literal['deposit']"
+    _SearchSpec: TypeAlias = "Literal['auto'] | Literal['grid'] | Literal['hierarchical-grid'] | Literal['tree'] | Literal['all-pairs']"
+    _ShapeSpec: TypeAlias = 'ShapeHalfSpace | ShapeSphere | ShapeCylinder | ShapeCone | ShapeTorus | ShapeCapsule | ShapeEllipsoid | ShapeBox | ShapePlate | ShapeRevolution | ShapeUnion | ShapeIntersection | ShapeDifference | ShapeBlend | ShapeMirror | ShapeScale | ShapeShell | ShapeOffset'
+    _TangentialSpec: TypeAlias = "Literal['none'] | Literal['coulomb'] | Literal['mindlin'] | Literal['partial-slip']"
+    _TurningSpec: TypeAlias = "Literal['none'] | Literal['constant-torque'] | Literal['spring-dashpot']"

@@ -13,20 +13,20 @@ Made from the schema by ``python/tests/scene_types.py``; a test holds the two to
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any, Literal, TypeAlias, TypedDict
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypedDict
 '''
 
 
-def type_of(schema: dict[str, Any], path: str, out: dict[str, str]) -> str:
+def type_of(schema: dict[str, Any], path: str, names: dict[str, str], out: dict[str, str]) -> str:
     """Return the type of a value; tables that it holds are written to `out`."""
     if "$ref" in schema:
-        return reference(schema["$ref"])
+        return names.get(schema["$ref"], schema["$ref"].rsplit("/", 1)[1])
     if len(schema.get("allOf", [])) == 1:
-        return type_of(schema["allOf"][0], path, out)
+        return type_of(schema["allOf"][0], path, names, out)
     for key in ("anyOf", "oneOf"):
         if key in schema:
             choices = [
-                type_of(choice, f"{path}{_kind(choice, place)}", out)
+                type_of(choice, f"{path}{_kind(choice, place)}", names, out)
                 for place, choice in enumerate(schema[key], 1)
             ]
             return union(choices)
@@ -38,22 +38,24 @@ def type_of(schema: dict[str, Any], path: str, out: dict[str, str]) -> str:
         return "Any"
     kinds = schema.get("type", "any")
     kinds = kinds if isinstance(kinds, list) else [kinds]
-    return union([plain(kind, schema, path, out) for kind in kinds])
+    return union([plain(kind, schema, path, names, out) for kind in kinds])
 
 
-def plain(kind: str, schema: dict[str, Any], path: str, out: dict[str, str]) -> str:
+def plain(
+    kind: str, schema: dict[str, Any], path: str, names: dict[str, str], out: dict[str, str]
+) -> str:
     """Return the type of one kind of value."""
     if kind == "object":
         if schema.get("properties"):
-            table(path, schema, out)
+            table(path, schema, names, out)
             return path
         inner = schema.get("additionalProperties")
         if isinstance(inner, dict):
-            return f"Mapping[str, {type_of(inner, path, out)}]"
+            return f"Mapping[str, {type_of(inner, path, names, out)}]"
         return "Mapping[str, Any]"
     if kind == "array":
         items = schema.get("items", {})
-        inner = type_of(items, path, out) if isinstance(items, dict) else "Any"
+        inner = type_of(items, path, names, out) if isinstance(items, dict) else "Any"
         return f"Sequence[{inner}]"
     return {"number": "float", "integer": "int", "string": "str", "boolean": "bool"}.get(
         kind, "Any"
@@ -73,18 +75,14 @@ def _kind(choice: dict[str, Any], place: int) -> str:
     return str(name).title().replace("-", "")
 
 
-def reference(text: str) -> str:
-    """Return the name of a definition."""
-    return text.rsplit("/", 1)[1]
-
-
-def table(name: str, schema: dict[str, Any], out: dict[str, str]) -> None:
+def table(name: str, schema: dict[str, Any], names: dict[str, str], out: dict[str, str]) -> None:
     """Write a table as a type with the keys that it has."""
     out[name] = ""
     required = set(schema.get("required", []))
     lines = []
     for key, value in schema["properties"].items():
-        inner = type_of(value, name + key.title().replace("_", "").replace("-", ""), out)
+        path = name + key.title().replace("_", "").replace("-", "")
+        inner = type_of(value, path, names, out)
         lines.append((key, inner, key in required, value.get("description", "")))
     is_plain = all(key.isidentifier() and not keyword.iskeyword(key) for key, *_ in lines)
     doc = schema.get("description", name).split("\n")[0].strip()
@@ -106,15 +104,23 @@ def table(name: str, schema: dict[str, Any], out: dict[str, str]) -> None:
 def module() -> str:
     """Return the text of the module."""
     schema = _pelletflow.schema()
-    out: dict[str, str] = {}
+    tables: dict[str, str] = {}
+    choices: dict[str, dict[str, Any]] = {}
     for name, definition in schema.get("definitions", {}).items():
-        if definition.get("properties") and definition.get("type") == "object":
-            table(name, definition, out)
-        else:
-            inner = type_of(definition, name.removesuffix("Spec"), out)
-            out[name] = f"{name}: TypeAlias = {inner!r}\n"
-    table("SceneSpec", schema, out)
-    return HEAD + "\n\n" + "\n\n".join(out.values())
+        if not (definition.get("properties") and definition.get("type") == "object"):
+            choices[name] = definition
+    # How a choice is referred to; only a checker of types ever sees its name.
+    names = {f"#/definitions/{name}": f"_{name}" for name in choices}
+    for name, definition in schema.get("definitions", {}).items():
+        if name not in choices:
+            table(name, definition, names, tables)
+    aliases = ""
+    for name, definition in choices.items():
+        choice = type_of(definition, name.removesuffix("Spec"), names, tables)
+        aliases += f"    _{name}: TypeAlias = {choice!r}\n"
+    table("SceneSpec", schema, names, tables)
+    body = "\n\n".join(tables.values())
+    return f"{HEAD}\n\n{body}\n\nif TYPE_CHECKING:\n{aliases}"
 
 
 if __name__ == "__main__":
