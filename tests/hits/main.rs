@@ -358,7 +358,7 @@ fn a_hit_that_yields_has_the_force_that_its_row_tells_for_that_yield_pressure() 
             let told = elastic.yielded_force(yield_pressure);
             let error = (hit.peak_force / told - 1.0).abs();
             // The peak of a straight line is sampled, not followed.
-            assert!(error < 1.0e-3, "{speed} m/s, {share}: {error:.5}");
+            assert!(error < 2.0e-3, "{speed} m/s, {share}: {error:.5}");
             assert!(told < elastic.peak_force);
         }
     }

@@ -94,6 +94,18 @@ pub(crate) fn bytes(bytes: u64) -> String {
     }
 }
 
+/// Share below which no distribution can be believed [-].
+pub(crate) const LEAST_SHARE: f64 = 1.0e-6;
+
+/// A share as it stands in a table: what is next to nothing is no number.
+pub(crate) fn percent(share: f64) -> String {
+    if share > 0.0 && share < LEAST_SHARE {
+        format!("< {} %", chosen(100.0 * LEAST_SHARE))
+    } else {
+        format!("{} %", number(100.0 * share))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

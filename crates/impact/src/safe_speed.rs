@@ -6,6 +6,7 @@ use crate::ElasticImpact;
 use crate::error::{ImpactError, positive};
 use crate::interval::Interval;
 use crate::strength::Strength;
+use crate::yielding::speed_of_yielded_force;
 
 /// Standard gravity [m/s²].
 const GRAVITY: f64 = 9.806_65;
@@ -13,6 +14,8 @@ const GRAVITY: f64 = 9.806_65;
 /// The arrival speed at which a share of pellets breaks.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SafeSpeed {
+    /// Hits like the one asked about, whose speed does not matter: of the softest, the best and the stiffest modulus.
+    hits: [ElasticImpact; 3],
     /// Force that breaks the share, with the interval that the sample of the strength test leaves.
     pub load: Interval,
     /// Speed across the surface at which an elastic hit reaches the load.
@@ -42,21 +45,30 @@ impl SafeSpeed {
             positive("effective Young's modulus", "Pa", modulus)?;
         }
         let load = strength.load(risk, diameter)?;
-        let speed = |load, effective_youngs_modulus| {
-            ElasticImpact {
-                effective_youngs_modulus,
-                ..*hit
-            }
-            .speed_of_peak_force(load)
-        };
+        let hits = [softest, hit.effective_youngs_modulus, stiffest].map(|modulus| ElasticImpact {
+            effective_youngs_modulus: modulus,
+            ..*hit
+        });
         Ok(Self {
+            hits,
             load,
             speed: Interval {
-                low: speed(load.low, stiffest),
-                best: speed(load.best, hit.effective_youngs_modulus),
-                high: speed(load.high, softest),
+                low: hits[2].speed_of_peak_force(load.low),
+                best: hits[1].speed_of_peak_force(load.best),
+                high: hits[0].speed_of_peak_force(load.high),
             },
         })
+    }
+
+    /// Speed across the surface at which a hit reaches the load whose contact yields under a pressure [Pa] [m/s].
+    pub fn yielding_speed(&self, yield_pressure: f64) -> Interval {
+        let speed = |hit, load| speed_of_yielded_force(hit, load, yield_pressure);
+        let [softest, best, stiffest] = &self.hits;
+        Interval {
+            low: speed(stiffest, self.load.low),
+            best: speed(best, self.load.best),
+            high: speed(softest, self.load.high),
+        }
     }
 
     /// Height of a fall from rest that ends at the speed, `v²/2g`, without drag [m].
@@ -165,6 +177,15 @@ mod tests {
         let safe = safe(Scatter::Fixed(2450.0), None);
         assert!((safe.speed.best / safe.speed.low - 2.0_f64.cbrt()).abs() < 1.0e-12);
         assert!((safe.speed.high / safe.speed.best - 2.0_f64.cbrt()).abs() < 1.0e-12);
+    }
+
+    #[test]
+    fn pellets_that_yield_may_arrive_faster_and_those_that_never_do_no_faster() {
+        let safe = safe(Scatter::Fixed(2450.0), None);
+        let pressure = hit(1.0e9).pressure(2450.0);
+        let [early, never] = [0.5, 2.0].map(|share| safe.yielding_speed(share * pressure));
+        assert!(early.best > safe.speed.best && early.low < early.best && early.best < early.high);
+        assert!((never.best / safe.speed.best - 1.0).abs() < 1.0e-14);
     }
 
     #[test]

@@ -319,7 +319,7 @@ impl<'scope> Course<'scope> {
 }
 
 /// Steps [-] to the one nearest to the moment `next` [s], or a stride of the greatest length.
-fn stride(time: f64, next: f64, step: f64) -> u64 {
+pub(crate) fn stride(time: f64, next: f64, step: f64) -> u64 {
     let steps = ((next - time) / step).round();
     steps.clamp(1.0, LONGEST_STRIDE as f64) as u64
 }

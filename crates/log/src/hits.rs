@@ -4,7 +4,7 @@ use crate::error::ReadError;
 use crate::message::{hits, series};
 use crate::records::Records;
 use mcap::records::Record;
-use pelletflow_sim::{Hit, HitClass, HitClassKey};
+use pelletflow_sim::{Hit, HitClass, HitClassKey, Simulation};
 use prost::Message;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -37,6 +37,28 @@ pub struct RecordedHits {
     pub end: f64,
     /// Whether the file ends in the middle; what is told is then that before the cut.
     pub is_cut_off: bool,
+}
+
+impl RecordedHits {
+    /// The hits of a run that were not taken from it, with those still open.
+    pub(crate) fn of(simulation: &mut Simulation) -> Self {
+        let open = simulation.hits_with_open();
+        let mut hits = simulation.take_hits();
+        hits.extend_from_slice(open.rows());
+        let setup = simulation.model().setup();
+        Self {
+            hits,
+            classes: open.classes().clone(),
+            walls: setup.walls.iter().map(|wall| wall.name.clone()).collect(),
+            threshold: setup
+                .hits
+                .map_or(f64::INFINITY, |request| request.threshold),
+            is_softened: setup.is_softened(),
+            pellets: simulation.mass_ledger().inserted.count,
+            end: simulation.time(),
+            is_cut_off: false,
+        }
+    }
 }
 
 /// Reads the hits of a recording; of a file that is cut off, those before the cut.

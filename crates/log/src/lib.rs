@@ -22,6 +22,7 @@ mod profile;
 mod recording;
 mod records;
 mod run;
+pub mod safe_setting;
 mod summary;
 pub mod surface;
 pub mod tables;
@@ -36,6 +37,7 @@ pub use inspect::{AttachmentInspection, ChannelInspection, Inspection, inspect};
 pub use plot::{Axis, Chart, ChartError, Scale, Series, SeriesStyle};
 pub use profile::{PhaseCost, Profile};
 pub use run::{Progress, RunRequest, run};
+pub use safe_setting::{SafeSetting, SafeSettingError, SafeSettingRequest, safe_setting};
 pub use summary::{
     BodySummary, ContactSummary, Ended, EnergySummary, MassSummary, MeterSummary, PatchSummary,
     PerformanceSummary, SkippedSummary, Summary, TallySummary, TimeSummary,

@@ -261,6 +261,12 @@ impl Setup {
         density * 4.0 / 3.0 * std::f64::consts::PI * radius.powi(3)
     }
 
+    /// Whether some material is softer in the run than it really is.
+    pub fn is_softened(&self) -> bool {
+        let mut materials = self.materials.iter();
+        materials.any(|named| named.true_material() != named.material)
+    }
+
     /// Measured properties of two materials, by index and in either order.
     pub fn pair_properties(&self, a: usize, b: usize) -> Option<&PairProperties> {
         let is_asked = |pair: &[usize; 2]| *pair == [a, b] || *pair == [b, a];

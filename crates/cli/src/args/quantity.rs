@@ -159,6 +159,45 @@ pub(crate) fn modulus_range(text: &str) -> Result<ModulusRange, String> {
     Ok(ModulusRange { least, greatest })
 }
 
+/// Two values of one unit, such as `2..15m/s`.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct ValueRange {
+    pub(crate) least: f64,
+    pub(crate) greatest: f64,
+    /// The unit as it was written; empty where there is none.
+    pub(crate) unit: String,
+}
+
+pub(crate) fn value_range(text: &str) -> Result<ValueRange, String> {
+    let example = "expected two values of one unit, for example 2..15m/s";
+    let (low, high) = text.split_once("..").ok_or(example)?;
+    let parted = |text: &str| -> Result<(f64, String), String> {
+        let text = text.trim();
+        // The longest beginning that is a number: what follows is the unit.
+        (1..=text.len())
+            .rev()
+            .filter(|&end| text.is_char_boundary(end))
+            .find_map(|end| Some((text[..end].trim_end().parse().ok()?, text[end..].trim())))
+            .filter(|(number, _): &(f64, _)| number.is_finite())
+            .map(|(number, unit)| (number, unit.to_owned()))
+            .ok_or_else(|| format!("`{text}` begins with no number; {example}"))
+    };
+    let ((least, unit_of_least), (greatest, unit)) = (parted(low)?, parted(high)?);
+    if !unit_of_least.is_empty() && unit_of_least != unit {
+        return Err(format!(
+            "`{unit_of_least}` and `{unit}` are two units; {example}"
+        ));
+    }
+    if greatest <= least {
+        return Err("the range runs backwards or is empty; write the smaller value first".into());
+    }
+    Ok(ValueRange {
+        least,
+        greatest,
+        unit,
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,9 +1,15 @@
 //! Arguments of `pelletflow safe-speed` and `pelletflow materials`.
 
 use super::hit::HitArguments;
-use super::quantity::{ModulusRange, force, length, modulus_range, risk, share, speed};
+use super::quantity::{
+    ModulusRange, ValueRange, force, length, modulus_range, risk, share, speed, value_range,
+};
+use super::thread_count;
 use clap::{ArgGroup, Args, ValueEnum};
+use pelletflow_scene::Override;
 use std::path::PathBuf;
+
+const SCENE: &str = "Scene";
 
 #[derive(Debug, Args)]
 #[command(
@@ -13,6 +19,10 @@ Examples:
   pelletflow safe-speed --strength 2.45kN --scatter 30% --tests 60 --risk 1% --pellet fired-pellet
   pelletflow safe-speed --strength 2.45kN --diameter 15mm --shear-modulus 60MPa --poisson 0.22 --density 3700
   pelletflow safe-speed --strength-card works-a.toml --risk 0.1% --diameter 12mm --youngs-modulus 2GPa --json
+
+In a scene, by whole runs, each with another value of one setting:
+  pelletflow safe-speed --strength-card works-a.toml --scene chute.toml --range 2..15m/s
+  pelletflow safe-speed --strength-card works-a.toml --scene plate.toml --vary walls.plate.motion.angle --range 10..60deg
 
 A strength card, as `pelletflow card` makes it of a sheet:
   name = \"works A, July\"
@@ -26,6 +36,8 @@ A strength card, as `pelletflow card` makes it of a sheet:
 pub(crate) struct SafeSpeedArguments {
     #[command(flatten)]
     pub(crate) hit: HitArguments,
+    #[command(flatten)]
+    pub(crate) of_scene: SceneArguments,
     /// Crushing load: the mean where --scatter is given, the load of every pellet where it is not.
     #[arg(long, value_name = "FORCE", value_parser = force)]
     pub(crate) strength: Option<f64>,
@@ -59,6 +71,41 @@ pub(crate) struct SafeSpeedArguments {
     /// Print JSON.
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+/// A scene in place of a lone pellet and a surface.
+#[derive(Debug, Clone, Default, Args)]
+pub(crate) struct SceneArguments {
+    /// Scene to run, in place of a lone pellet and a surface.
+    #[arg(
+        long,
+        help_heading = SCENE,
+        value_name = "SCENE",
+        requires = "range",
+        conflicts_with_all = [
+            "pellet", "diameter", "shear_modulus", "youngs_modulus", "poisson", "density", "onto_shear_modulus",
+            "onto_poisson", "shear_modulus_range", "arrival_speed",
+        ]
+    )]
+    pub(crate) scene: Option<PathBuf>,
+    /// Key of the scene that is varied [default: how fast pellets come in, where there is one way in].
+    #[arg(long, help_heading = SCENE, value_name = "KEY", requires = "scene")]
+    pub(crate) vary: Option<String>,
+    /// Values between which is sought, such as 2..15m/s; SI units where none is given.
+    #[arg(long, help_heading = SCENE, value_name = "LOW..HIGH", requires = "scene", value_parser = value_range, allow_hyphen_values = true)]
+    pub(crate) range: Option<ValueRange>,
+    /// Width of the last bracket over that of the range.
+    #[arg(long, help_heading = SCENE, value_name = "SHARE", requires = "scene", value_parser = risk, default_value = "1%")]
+    pub(crate) tolerance: f64,
+    /// Number of seeds run at the value found.
+    #[arg(long, help_heading = SCENE, value_name = "N", requires = "scene", value_parser = clap::value_parser!(u32).range(1..=100), default_value_t = 3)]
+    pub(crate) seeds: u32,
+    /// Number of threads of each run [default: all there are].
+    #[arg(long, help_heading = SCENE, value_name = "N", requires = "scene", value_parser = thread_count)]
+    pub(crate) threads: Option<usize>,
+    /// Set a value of the scene; can be given more than once.
+    #[arg(long, help_heading = SCENE, value_name = "KEY=VALUE", requires = "scene")]
+    pub(crate) set: Vec<Override>,
 }
 
 /// A distribution of the crushing load, by name.

@@ -1,5 +1,7 @@
 //! `pelletflow safe-speed`.
 
+mod scene;
+
 use crate::args::safe_speed::{DistributionName, SafeSpeedArguments};
 use crate::commands::hit::{Hit, bad_input};
 use crate::exit::{Exit, Failure};
@@ -25,8 +27,16 @@ const WARNINGS: [&str; 3] = [
 
 /// Tells the arrival speed at which a share of pellets breaks.
 pub(crate) fn safe_speed(arguments: &SafeSpeedArguments) -> Result<Exit, Failure> {
+    let asked = Asked::new(arguments)?;
+    if let Some(path) = &arguments.of_scene.scene {
+        return scene::safe_setting_of(path, arguments, &asked);
+    }
     let hit = Hit::new(&arguments.hit, None)?;
-    let (strength, told) = strength(arguments)?;
+    let Asked {
+        strength,
+        yield_pressure,
+        told,
+    } = asked;
     let moduli = Moduli::new(arguments, &hit)?;
     let elastic = |youngs_modulus| arrival(&hit, youngs_modulus).elastic();
     let safe = SafeSpeed::new(
@@ -43,6 +53,7 @@ pub(crate) fn safe_speed(arguments: &SafeSpeedArguments) -> Result<Exit, Failure
             .arrival_speed
             .unwrap_or_else(|| speed_of_fall(arguments.fall)),
         risk: arguments.risk,
+        yield_pressure,
         is_fixed: matches!(strength.scatter, Scatter::Fixed(_)),
         basis: vec![told, interval_basis(&strength, &moduli)],
     };
@@ -71,37 +82,53 @@ fn arrival(hit: &Hit, youngs_modulus: f64) -> Arrival {
 }
 
 /// The strength and what tells it.
-fn strength(arguments: &SafeSpeedArguments) -> Result<(Strength, String), Failure> {
-    if let Some(path) = &arguments.strength_card {
-        let card = StrengthCard::read(path)?;
-        return Ok((card.strength, format!("{}: {}", card.name, card.source)));
-    }
-    let mean = arguments.strength.unwrap_or_default();
-    let scatter = match (arguments.scatter, arguments.distribution) {
-        (None, _) => Ok(Scatter::Fixed(mean)),
-        (Some(scatter), DistributionName::LogNormal) => {
-            Scatter::log_normal_from_mean(mean, scatter)
+struct Asked {
+    strength: Strength,
+    yield_pressure: Option<f64>,
+    told: String,
+}
+
+impl Asked {
+    fn new(arguments: &SafeSpeedArguments) -> Result<Self, Failure> {
+        if let Some(path) = &arguments.strength_card {
+            let card = StrengthCard::read(path)?;
+            return Ok(Self {
+                strength: card.strength,
+                yield_pressure: card.yield_pressure,
+                told: format!("{}: {}", card.name, card.source),
+            });
         }
-        (Some(scatter), DistributionName::Weibull) => Scatter::weibull_from_mean(mean, scatter),
-    };
-    let strength = Strength {
-        scatter: scatter.map_err(|error| refused(&error))?,
-        test_diameter: arguments.test_diameter,
-        sample_size: arguments.tests,
-    };
-    let told = match arguments.scatter {
-        None => format!("every pellet breaks at {} N", chosen(mean)),
-        Some(scatter) => format!(
-            "mean {} N, scatter {} %, {}",
-            chosen(mean),
-            chosen(scatter * 100.0),
-            match arguments.distribution {
-                DistributionName::LogNormal => "log-normal",
-                DistributionName::Weibull => "Weibull",
+        let mean = arguments.strength.unwrap_or_default();
+        let scatter = match (arguments.scatter, arguments.distribution) {
+            (None, _) => Ok(Scatter::Fixed(mean)),
+            (Some(scatter), DistributionName::LogNormal) => {
+                Scatter::log_normal_from_mean(mean, scatter)
             }
-        ),
-    };
-    Ok((strength, told))
+            (Some(scatter), DistributionName::Weibull) => Scatter::weibull_from_mean(mean, scatter),
+        };
+        let strength = Strength {
+            scatter: scatter.map_err(|error| refused(&error))?,
+            test_diameter: arguments.test_diameter,
+            sample_size: arguments.tests,
+        };
+        let told = match arguments.scatter {
+            None => format!("every pellet breaks at {} N", chosen(mean)),
+            Some(scatter) => format!(
+                "mean {} N, scatter {} %, {}",
+                chosen(mean),
+                chosen(scatter * 100.0),
+                match arguments.distribution {
+                    DistributionName::LogNormal => "log-normal",
+                    DistributionName::Weibull => "Weibull",
+                }
+            ),
+        };
+        Ok(Self {
+            strength,
+            yield_pressure: None,
+            told,
+        })
+    }
 }
 
 /// Young's moduli of the pellet between which the truth lies, and where they come from.
@@ -180,6 +207,7 @@ struct Answer {
     safe: SafeSpeed,
     arrival_speed: f64,
     risk: f64,
+    yield_pressure: Option<f64>,
     is_fixed: bool,
     basis: Vec<String>,
 }
@@ -212,9 +240,18 @@ impl Answer {
         } else {
             format!("load that breaks {} %", chosen(self.risk * 100.0))
         };
-        let rows = [
+        let mut rows = vec![
             row(share, self.safe.load, "N"),
             row("safe arrival speed".into(), self.safe.speed, "m/s"),
+        ];
+        if let Some(pressure) = self.yield_pressure {
+            let name = format!(
+                "the same, if they yield at {} MPa",
+                chosen(pressure * 1.0e-6)
+            );
+            rows.push(row(name, self.safe.yielding_speed(pressure), "m/s"));
+        }
+        rows.extend([
             row("drop height".into(), self.safe.drop_height(), "m"),
             row(
                 format!(
@@ -224,7 +261,7 @@ impl Answer {
                 self.slope().map(f64::to_degrees),
                 "°",
             ),
-        ];
+        ]);
         let table = table::listing(["", "best", "interval"], &[1, 2], rows);
         let basis = self.basis.join("\n");
         let warnings: Vec<String> = self
@@ -239,12 +276,17 @@ impl Answer {
         let interval = |value: Interval| json!([value.low, value.high]);
         let (load, speed) = (self.safe.load, self.safe.speed);
         let (height, slope) = (self.safe.drop_height(), self.slope());
+        let yielding = self
+            .yield_pressure
+            .map(|pressure| self.safe.yielding_speed(pressure));
         json!({
             "risk": if self.is_fixed { Value::Null } else { json!(self.risk) },
             "load_n": load.best,
             "load_interval_n": interval(load),
             "speed_m_per_s": speed.best,
             "speed_interval_m_per_s": interval(speed),
+            "yielding_speed_m_per_s": yielding.map(|speed| speed.best),
+            "yielding_speed_interval_m_per_s": yielding.map(interval),
             "drop_height_m": height.best,
             "drop_height_interval_m": interval(height),
             "arrival_speed_m_per_s": self.arrival_speed,

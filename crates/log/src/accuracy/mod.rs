@@ -319,9 +319,9 @@ impl Scale {
 }
 
 /// A mean and half the width of its confidence interval, in the unit of the quantity.
-struct Mean {
-    value: f64,
-    half_width: f64,
+pub(crate) struct Mean {
+    pub(crate) value: f64,
+    pub(crate) half_width: f64,
 }
 
 impl Mean {
@@ -334,7 +334,7 @@ impl Mean {
 }
 
 /// The mean of samples with its confidence interval, by Student's t.
-fn mean(samples: &[f64]) -> Mean {
+pub(crate) fn mean(samples: &[f64]) -> Mean {
     let value = samples.mean();
     let count = samples.len() as f64;
     let half_width = StudentsT::new(0.0, 1.0, count - 1.0).map_or(0.0, |student| {

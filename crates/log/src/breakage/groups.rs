@@ -12,6 +12,19 @@ const SIZES: usize = 5;
 /// Side of the cubes that places are told by, over the diameter of the largest pellet [-].
 const CUBE_SIDE: f64 = 4.0;
 
+/// The blows that break, each counted by its chance to do so: their means.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Breaking {
+    /// Speed of the contact points at first touch, toward and past each other [m/s].
+    pub speed_m_per_s: f64,
+    /// Its part along the normal, which makes the force [m/s].
+    pub normal_speed_m_per_s: f64,
+    /// Diameter of the pellet [m].
+    pub diameter_m: f64,
+    /// Mass of the pellet [kg].
+    pub mass_kg: f64,
+}
+
 /// Blows that have something in common.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Group {
@@ -24,6 +37,8 @@ pub struct Group {
     pub blows: u64,
     /// Greatest force of one of them [N].
     pub worst_force_n: f64,
+    /// Those of them that break; none where none does.
+    pub breaking: Option<Breaking>,
 }
 
 /// A cube of space where pellets break.
@@ -69,7 +84,7 @@ impl Groups {
                     HitPartner::Wall(wall) => Some(wall),
                     HitPartner::Pellet { .. } => None,
                 },
-                |wall| wall_name(recorded, wall),
+                |wall| wall_name(&recorded.walls, wall),
             ),
             by_size: grouping.by(
                 |blow, _| sizes.class(blow.diameter),
@@ -81,10 +96,10 @@ impl Groups {
     }
 }
 
-fn wall_name(recorded: &RecordedHits, wall: Option<usize>) -> String {
+/// How a wall, or where there is none another pellet, is named as a partner.
+pub(crate) fn wall_name(walls: &[String], wall: Option<usize>) -> String {
     match wall {
-        Some(wall) => recorded
-            .walls
+        Some(wall) => walls
             .get(wall)
             .map_or_else(|| format!("wall {wall}"), |name| format!("wall `{name}`")),
         None => "another pellet".into(),
@@ -144,6 +159,8 @@ struct Grouping<'a> {
 #[derive(Default)]
 struct Sum {
     chance: Chance,
+    /// Speed, its normal part, diameter and mass, each times the chance.
+    moments: [f64; 4],
     blows: u64,
     worst_force: f64,
 }
@@ -187,6 +204,10 @@ impl Grouping<'_> {
         for ((blow, hit), &chance) in self.scored.dealt(self.recorded).zip(chances) {
             let sum = sums.entry(key(blow, hit)).or_default();
             sum.chance += chance;
+            let moments = [hit.speed(), hit.approach_speed, blow.diameter, blow.mass];
+            for (sum, moment) in sum.moments.iter_mut().zip(moments) {
+                *sum += chance.best * moment;
+            }
             sum.blows += 1;
             sum.worst_force = sum.worst_force.max((self.force)(hit));
         }
@@ -194,8 +215,19 @@ impl Grouping<'_> {
     }
 
     fn group(&self, name: String, sum: &Sum) -> Group {
+        let breaking = (sum.chance.best > 0.0).then(|| {
+            let [speed_m_per_s, normal_speed_m_per_s, diameter_m, mass_kg] =
+                sum.moments.map(|moment| moment / sum.chance.best);
+            Breaking {
+                speed_m_per_s,
+                normal_speed_m_per_s,
+                diameter_m,
+                mass_kg,
+            }
+        });
         Group {
             name,
+            breaking,
             broken: Share::of(sum.chance.broken(), self.recorded.pellets),
             blows: sum.blows,
             worst_force_n: sum.worst_force,

@@ -3,7 +3,8 @@
 mod groups;
 mod warnings;
 
-pub use groups::{Group, Place};
+pub(crate) use groups::wall_name;
+pub use groups::{Breaking, Group, Place};
 
 use crate::hits::RecordedHits;
 use groups::Groups;
@@ -62,6 +63,16 @@ pub struct Breakage {
     pub cube_side_m: f64,
     /// What the numbers do not know, in sentences.
     pub warnings: Vec<String>,
+}
+
+impl Breakage {
+    /// The share to go by: of a softened run that at true stiffness.
+    pub fn believed(&self) -> &Share {
+        match &self.broken_at_true_stiffness {
+            Some(share) if self.is_softened => share,
+            _ => &self.broken,
+        }
+    }
 }
 
 /// A share of the pellets.

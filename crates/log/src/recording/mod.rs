@@ -265,16 +265,12 @@ fn hit_channels<W: Write + Seek>(
     let Some(request) = &setup.hits else {
         return Ok(None);
     };
-    let is_softened = setup
-        .materials
-        .iter()
-        .any(|named| named.true_material() != named.material);
     let walls: Vec<&str> = setup.walls.iter().map(|wall| wall.name.as_str()).collect();
     writer.write_metadata(&Metadata {
         name: METADATA.into(),
         metadata: BTreeMap::from([
             (THRESHOLD.into(), request.threshold.to_string()),
-            (IS_SOFTENED.into(), is_softened.to_string()),
+            (IS_SOFTENED.into(), setup.is_softened().to_string()),
             (WALLS.into(), serde_json::json!(walls).to_string()),
         ]),
     })?;

@@ -1,11 +1,8 @@
 //! What `pelletflow score` prints.
 
-use crate::table::{self, chosen, count, number};
+use crate::table::{self, LEAST_SHARE, chosen, count, number, percent};
 use pelletflow_log::Breakage;
 use pelletflow_log::breakage::{Group, Share};
-
-/// Share below which no distribution can be believed [-].
-const LEAST_SHARE: f64 = 1.0e-6;
 
 /// Shares of pellets broken, and what they rest on.
 pub(super) fn page(breakage: &Breakage, told: &str) -> String {
@@ -100,13 +97,4 @@ fn listing<'a>(title: &str, groups: impl IntoIterator<Item = &'a Group>) -> Stri
 fn between(broken: &Share) -> String {
     let [low, high] = broken.interval;
     format!("{} to {}", percent(low), percent(high))
-}
-
-/// A share as it stands in a table: what is next to nothing is no number.
-fn percent(share: f64) -> String {
-    if share > 0.0 && share < LEAST_SHARE {
-        format!("< {} %", chosen(100.0 * LEAST_SHARE))
-    } else {
-        format!("{} %", number(100.0 * share))
-    }
 }
