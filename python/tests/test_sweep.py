@@ -222,6 +222,33 @@ def test_runs_that_fail_are_listed_and_the_others_are_done(leak, tmp_path):
     assert len(result.failures) == 1
 
 
+def test_an_executor_that_gives_no_futures_or_has_ended_is_told_as_such(drop, tmp_path):
+    class Client:
+        def submit(self, function, /, *arguments):
+            return "a promise"
+
+    with pytest.raises(pf.InputError, match="get_executor") as caught:
+        pf.sweep(drop, {"time.end": [0.01]}, output=tmp_path, executor=Client())
+    assert caught.value.key == "executor"
+    ended = ThreadPoolExecutor(1)
+    ended.shutdown()
+    with pytest.raises(pf.SweepError, match="start it anew"):
+        pf.sweep(drop, {"time.end": [0.01]}, output=tmp_path, executor=ended)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="processes are killed otherwise there")
+def test_a_worker_that_is_killed_ends_the_sweep_with_the_cure(drop, tmp_path):
+    with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as pool:
+        process = pool.submit(os.getpid).result()
+        killer = threading.Timer(0.5, os.kill, (process, signal.SIGKILL))
+        killer.start()
+        with pytest.raises(pf.SweepError, match="call again"):
+            pf.sweep(drop, {"time.end": [1000.0, 1001.0]}, output=tmp_path, executor=pool)
+        killer.join()
+    assert pf.sweep(drop, {"time.end": [0.01]}, output=tmp_path, executor=Here()).executed == 1
+    assert not list(tmp_path.glob("unfinished-*"))
+
+
 def test_two_sweeps_into_one_folder_are_refused(drop, tmp_path):
     began, may_end = threading.Event(), threading.Event()
 

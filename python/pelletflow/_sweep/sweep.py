@@ -101,13 +101,11 @@ def sweep(
         failures: dict[str, str] = {}
         executed = 0
         with _at_work(executor, workers, len(missing)) as pool:
-            futures = {
-                pool.submit(
-                    store.run_once, base, run.set, key, str(folder), threads, keep_recordings
-                ): key
-                for key, run in missing.items()
-            }
+            futures: dict[Future[Any], str] = {}
             try:
+                for key, run in missing.items():
+                    arguments = (base, run.set, key, str(folder), threads, keep_recordings)
+                    futures[_submitted(pool, *arguments)] = key
                 for future in as_completed(futures):
                     try:
                         executed += bool(future.result())
@@ -165,6 +163,22 @@ def _check(
             "executor",
             executor,
         )
+
+
+def _submitted(executor: SupportsSubmit, *arguments: Any) -> Future[Any]:
+    """Hand a run over."""
+    try:
+        future = executor.submit(store.run_once, *arguments)
+    except RuntimeError as error:
+        raise SweepError(f"the executor takes no more runs: {error}; start it anew") from error
+    if not isinstance(future, Future):
+        raise InputError(
+            f"`submit` of executor {type(executor).__name__} gives {type(future).__name__}; "
+            "expected a concurrent.futures.Future; of a Dask client take client.get_executor()",
+            "executor",
+            executor,
+        )
+    return future
 
 
 @contextmanager
