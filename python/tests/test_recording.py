@@ -1,5 +1,7 @@
 """Recordings read back as tables."""
 
+import pickle
+
 import numpy as np
 import pelletflow as pf
 import pytest
@@ -52,6 +54,12 @@ def test_a_folder_and_its_recording_read_alike_and_only_what_is_asked_for(output
     assert list(by_file.tables) == ["events"]
     with pytest.raises(pf.RecordingError, match="only"):
         _ = by_file.bodies
+
+
+def test_a_run_and_its_recording_survive_the_way_to_another_process(output):
+    recording = output.read()
+    assert pickle.loads(pickle.dumps(output)) == output
+    assert pickle.loads(pickle.dumps(recording)).tables == recording.tables
 
 
 def test_a_run_without_hits_says_why_it_has_none(drop, tmp_path):

@@ -1,6 +1,7 @@
 """Sweeps: points, replicates, what is on disk, and what ends them early."""
 
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -164,12 +165,13 @@ def test_progress_counts_to_all_runs(drop, tmp_path, capsys):
     assert "2 of 2 runs" in capsys.readouterr().err
 
 
-def test_the_result_can_be_drawn_and_shown(drop, tmp_path):
+def test_the_result_can_be_drawn_shown_and_sent(drop, tmp_path):
     matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("Agg")
     result = pf.sweep(
         drop, {"time.end": [0.1, 0.2]}, output=tmp_path, measures=PEAK, executor=Here()
     )
+    assert pickle.loads(pickle.dumps(result)).table == result.table
     assert len(result.plot("time.end", "contacts.max_force_n").lines) == 1
     assert "contacts.max_force_n" in result._repr_html_()
 
@@ -276,8 +278,6 @@ def test_a_folder_that_cannot_be_made_is_an_output_error(drop, tmp_path):
 
 
 def test_exceptions_of_a_sweep_survive_the_way_back_from_another_process():
-    import pickle
-
     error = pickle.loads(pickle.dumps(pf.SweepError("bad", {"0123": "worse"})))
     assert error.failures == {"0123": "worse"}
     error = pickle.loads(pickle.dumps(pf.InputError("bad", "key", 3, "more")))
