@@ -27,9 +27,9 @@ pub struct Column {
 /// Values of one type.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Values {
-    /// Numbers in single precision.
+    /// Numbers in single precision [unit of the column].
     Float32(Vec<f32>),
-    /// Numbers in double precision.
+    /// Numbers in double precision [unit of the column].
     Float64(Vec<f64>),
     /// Whole numbers with a sign.
     Int32(Vec<i32>),
