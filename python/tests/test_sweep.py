@@ -139,6 +139,12 @@ def test_recordings_need_not_be_kept(drop, tmp_path):
     names = {path.name for path in (tmp_path / result.runs["hash"][0]).iterdir()}
     assert "summary.json" in names
     assert "run.mcap" not in names
+    without = pf.sweep(
+        drop, {"time.end": [0.01]}, output=tmp_path, keep_recordings=False, executor=Here()
+    )
+    kept = pf.sweep(drop, {"time.end": [0.01]}, output=tmp_path, executor=Here())
+    assert (without.executed, kept.executed) == (0, 1)
+    assert (tmp_path / result.runs["hash"][0] / "run.mcap").exists()
 
 
 def test_a_scene_in_code_and_values_for_all_points_may_be_swept(drop, tmp_path):

@@ -19,6 +19,7 @@ from pelletflow.errors import OutputError, SweepError
 #: What a run that is not yet done is called, before the hash of its scene.
 UNFINISHED = "unfinished-"
 SUMMARY = "summary.json"
+RECORDING = "run.mcap"
 
 
 @contextmanager
@@ -47,14 +48,19 @@ def remove_unfinished(folder: Path) -> None:
         shutil.rmtree(leftover, ignore_errors=True)
 
 
-def done(folder: Path, scene_hash: str) -> RunResult | None:
-    """Return the result of a scene if this version has run it here."""
+def done(folder: Path, scene_hash: str, *, recorded: bool = False) -> RunResult | None:
+    """Return the result of a scene if this version has run it here.
+
+    Where the recording is asked for, one whose recording was not kept counts as not done.
+    """
     output = folder / scene_hash
     try:
         summary = json.loads((output / SUMMARY).read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return None
     if summary["version"] != _pelletflow.__version__:
+        return None
+    if recorded and not (output / RECORDING).exists():
         return None
     return RunResult(summary, output)
 
@@ -68,7 +74,7 @@ def run_once(
     """
     place = Path(folder)
     final = place / scene_hash
-    if done(place, scene_hash):
+    if done(place, scene_hash, recorded=keep):
         return False
     unfinished = place / f"{UNFINISHED}{scene_hash}-{uuid.uuid4().hex}"
     try:
@@ -78,15 +84,15 @@ def run_once(
                 f"the scene of {final} has changed since the sweep began; call the sweep again"
             )
         if not keep:
-            (unfinished / "run.mcap").unlink()
-        if final.exists() and not done(place, scene_hash):
-            # An earlier version ran it.
+            (unfinished / RECORDING).unlink()
+        if final.exists() and not done(place, scene_hash, recorded=keep):
+            # An earlier version ran it, or its recording was not kept.
             shutil.rmtree(final)
         try:
             unfinished.rename(final)
         except OSError:
             # Another worker was as fast; both have the same bits.
-            if not done(place, scene_hash):
+            if not done(place, scene_hash, recorded=keep):
                 raise
         return True
     finally:

@@ -72,7 +72,8 @@ def sweep(
         executor: Anything that follows `concurrent.futures`; processes of this machine if None.
         workers: Processes, where no executor is given; one for each core if None [-].
         threads: Threads of each run [-].
-        keep_recordings: Whether each run keeps its recording, which is most of its size on disk.
+        keep_recordings: Whether each run keeps its recording, which is most of its size on disk;
+            what was run without is then run again.
         keep_going: Whether runs that fail leave NaN in the tables, in place of an error at the end.
         progress: Called with runs done and all runs; True for a line on the terminal, which is
             also shown if None and there is one.
@@ -95,7 +96,11 @@ def sweep(
     with store.locked(folder):
         store.remove_unfinished(folder)
         wanted = {run.hash: run for run in runs}
-        missing = {key: run for key, run in wanted.items() if not store.done(folder, key)}
+        missing = {
+            key: run
+            for key, run in wanted.items()
+            if not store.done(folder, key, recorded=keep_recordings)
+        }
         finished = len(wanted) - len(missing)
         show(finished, len(wanted))
         failures: dict[str, str] = {}
