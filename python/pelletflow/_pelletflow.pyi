@@ -7,8 +7,32 @@ from typing import Any, final
 
 import numpy as np
 import numpy.typing as npt
+from matplotlib.axes import Axes
 
-__all__ = ["Simulation", "__version__", "command", "run"]
+from pelletflow._table import Table
+
+__all__ = [
+    "Batch",
+    "Simulation",
+    "__version__",
+    "card_yield_pressure",
+    "command",
+    "impacts",
+    "library",
+    "mean_interval",
+    "read",
+    "run",
+    "safe_speeds",
+    "scene",
+    "schema",
+    "score_energy",
+    "scores",
+    "table_kinds",
+    "toml_table",
+]
+
+_Floats = npt.NDArray[np.float64]
+_Path = str | os.PathLike[str]
 
 __version__: str
 
@@ -21,14 +45,97 @@ def run(
 ) -> tuple[dict[str, Any], Path]:
     """Run a scene to its end; the summary and the folder of the output."""
 
+def scene(scene: _Path | Mapping[str, Any], set: Mapping[str, Any] | None = None) -> dict[str, Any]:
+    """Validate a scene: its name, title, hash, text with all that was set, and notes."""
+
+def toml_table(text: str) -> dict[str, Any]:
+    """Tables of a TOML text as dictionaries."""
+
+def schema() -> dict[str, Any]:
+    """JSON Schema of a scene."""
+
+def table_kinds() -> list[str]:
+    """Names of the kinds of tables that a recording is read as."""
+
+def read(path: _Path, kinds: Sequence[str]) -> tuple[dict[str, str], bool, list[Batch]]:
+    """Read a recording: facts of the run, whether the file is cut off, and the tables asked for."""
+
+def library() -> list[dict[str, Any]]:
+    """Named materials, each with its values in SI units and their source."""
+
+def impacts(
+    arrivals: Mapping[str, _Floats], damping: str, values: _Floats | None
+) -> list[tuple[str, _Floats]]:
+    """Numbers of hits along the normal; `damping` names what the values beside it are."""
+
+def safe_speeds(
+    arrivals: Mapping[str, _Floats],
+    strengths: Mapping[str, Any],
+    risk: _Floats,
+    least_modulus: _Floats,
+    greatest_modulus: _Floats,
+) -> list[tuple[str, _Floats]]:
+    """Load that breaks a share of the pellets and the speed that reaches it, with intervals."""
+
+def scores(
+    path: _Path,
+    strengths: Mapping[str, Any],
+    yield_pressure: _Floats | None,
+    count: int,
+    places: int,
+) -> list[dict[str, Any]]:
+    """Pellets broken by the hits of a recording, for each of `count` strengths."""
+
+def score_energy(path: _Path, card: _Path, places: int) -> list[dict[str, Any]]:
+    """Pellets broken by the hits of a recording, by the fracture energy of a card."""
+
+def card_yield_pressure(card: _Path) -> float | None:
+    """Yield pressure that a strength card tells [Pa]."""
+
+def mean_interval(values: _Floats, confidence: float) -> list[float]:
+    """Mean of what replicates gave with its interval: low, best, high [unit of the values]."""
+
 def command(arguments: Sequence[str]) -> int:
     """Run the command line, the program's name first; its exit code [-]."""
+
+@final
+class Batch:
+    """Named columns of one type each, which never change."""
+
+    def __new__(cls, name: str, columns: Sequence[tuple[str, str, Any, Any]]) -> Batch:
+        """Columns of equal length by name, unit, values and rows that have one."""
+
+    @property
+    def name(self) -> str:
+        """Name of the table."""
+
+    @property
+    def names(self) -> list[str]:
+        """Names of the columns, in order."""
+
+    @property
+    def units(self) -> list[str]:
+        """Units of the columns, in order; `-` where there is none."""
+
+    @property
+    def rows(self) -> int:
+        """Rows [-]."""
+
+    def column(self, name: str) -> tuple[Any, npt.NDArray[np.bool_] | None]:
+        """Values of a column, as an array or a list of texts, and which rows have one."""
+
+    def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
+        """Arrow's stream of the rows, in a capsule."""
+
+    def __arrow_c_schema__(self) -> object:
+        """Arrow's schema of the columns, in a capsule."""
 
 @final
 class Simulation:
     """A run in memory, stepped by hand.
 
-    The arrays are copies with one row per pellet inside, in order of `ids`.
+    The arrays are copies made in one pass, with one row per pellet inside, in order of `ids`:
+    the next step may lay the pellets anew in memory, which a view would show in disorder.
     """
 
     def __new__(
@@ -37,17 +144,38 @@ class Simulation:
         *,
         threads: int | None = None,
         set: Mapping[str, Any] | None = None,
+        hits: bool = False,
     ) -> Simulation:
         """Validate a scene, a file or the same as a dictionary, and place its fills.
 
         `threads` [-] is one per core if None; the state does not depend on it.
         `set` puts values in place of the scene's, by dotted key: ``{"time.end": "1 s"}``.
+        With `hits` each contact is followed, for `take_hits`.
         """
 
-    def step(self, n: int = 1) -> None:
+    def step(
+        self,
+        n: int = 1,
+        *,
+        callback: Callable[[Simulation], object] | None = None,
+        every: int = 1,
+    ) -> None:
         """Advance by `n` time steps [-].
 
+        After every `every` of them [-] `callback` is called with the simulation; False stops it.
         Other Python threads run meanwhile, and Ctrl-C stops it between two steps.
+        """
+
+    def take_hits(self) -> Table:
+        """Take the hits kept in full that have ended since the last call, in SI units [-].
+
+        They are held in memory until then.
+        """
+
+    def plot(self, **options: Any) -> Axes:
+        """Draw the pellets as circles colored by speed [m/s]; needs matplotlib.
+
+        `along` is the axis of the view, `ax` the axes to draw on.
         """
 
     @property

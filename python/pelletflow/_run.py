@@ -1,12 +1,16 @@
 """A whole run, from a scene to a recording and a summary."""
 
+import html
+import json
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from pelletflow import _pelletflow
+from pelletflow._recording import Recording, read
+from pelletflow._scene import SceneLike
 
 
 class Progress(NamedTuple):
@@ -37,9 +41,18 @@ class RunResult:
     output: Path
     """The folder with ``run.mcap``, ``summary.json``, ``scene.toml`` and ``layout.json``."""
 
+    def read(self, *, only: Iterable[str] | None = None) -> Recording:
+        """Read the recording as tables; `only` names the kinds, as in `pelletflow.read`."""
+        return read(self.output, only=only)
+
+    def _repr_html_(self) -> str:
+        """The summary, as a notebook shows it."""
+        text = json.dumps(self.summary, indent=2, ensure_ascii=False)
+        return f"<p>{html.escape(str(self.output))}</p><pre>{html.escape(text)}</pre>"
+
 
 def run(
-    scene: str | os.PathLike[str] | Mapping[str, Any],
+    scene: SceneLike,
     *,
     output: str | os.PathLike[str] | None = None,
     threads: int | None = None,
@@ -51,7 +64,7 @@ def run(
     Ctrl-C stops the run within a fraction of a second; the recording is finished first.
 
     Args:
-        scene: A scene file, or the same as a dictionary.
+        scene: A scene file, the same as a dictionary, or a `Scene`.
         output: Folder for what is written; ``out/NAME`` if None, with the name of the scene.
         threads: Threads at work [-]; one per core if None. The result does not depend on it.
         set: Values to put in place of the scene's, by dotted key: ``{"time.end": "1 s"}``.

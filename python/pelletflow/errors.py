@@ -1,7 +1,7 @@
 """What can go wrong: in a scene, in the physics, in writing files."""
 
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -44,6 +44,46 @@ class PhysicsError(PelletflowError, RuntimeError):
         super().__init__(message)
         self.summary = summary
         """What ``summary.json`` holds, up to the last good step; None for a `Simulation`."""
+
+
+class InputError(PelletflowError, ValueError):
+    """An argument that cannot be worked with."""
+
+    def __init__(
+        self, message: str, key: str = "", value: Any = None, expected: str | None = None
+    ) -> None:
+        """Keep what is wrong beside the message."""
+        super().__init__(message, key, value, expected)
+        self.key = key
+        """The argument or the quantity."""
+        self.value = value
+        """Its value, in the unit that the message tells."""
+        self.expected = expected
+        """The bound that it breaks, in words."""
+
+    def __str__(self) -> str:
+        """What is wrong, its value, the bound and the cure."""
+        return str(self.args[0])
+
+
+class RecordingError(PelletflowError, OSError):
+    """A recording that cannot be read, or does not hold what is asked for."""
+
+    def __init__(self, message: str, path: str | os.PathLike[str] | None = None) -> None:
+        """Keep the path beside the message."""
+        super().__init__(message)
+        self.path = path
+        """The recording."""
+
+
+class SweepError(PelletflowError, RuntimeError):
+    """A sweep that cannot go on, or points of it that failed."""
+
+    def __init__(self, message: str, failures: Mapping[str, str] | None = None) -> None:
+        """Keep the failures beside the message."""
+        super().__init__(message)
+        self.failures = dict(failures or {})
+        """What went wrong, by the folder of the run."""
 
 
 class OutputError(PelletflowError, OSError):

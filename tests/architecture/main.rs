@@ -10,11 +10,17 @@ use sources::{read, root, source_files};
 /// Longest code file that is still one concept [lines].
 const LONGEST_FILE: usize = 400;
 
+/// What a file says that a program has made.
+const MADE: &str = "\nMade from the schema by";
+
 #[test]
 fn no_code_file_is_longer_than_400_lines() {
     let long: Vec<String> = source_files(&["crates", "tests", "benches", "examples", "python"])
         .iter()
-        .map(|path| (path, read(path).lines().count()))
+        .map(|path| (path, read(path)))
+        // What a program has written, nobody reads from end to end.
+        .filter(|(_, text)| !text.contains(MADE))
+        .map(|(path, text)| (path, text.lines().count()))
         .filter(|(_, lines)| *lines > LONGEST_FILE)
         .map(|(path, lines)| format!("{} has {lines} lines", path.display()))
         .collect();

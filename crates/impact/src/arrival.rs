@@ -2,9 +2,10 @@
 
 use crate::damping::Damping;
 use crate::elastic::ElasticImpact;
-use crate::error::ImpactError;
+use crate::error::{ImpactError, positive};
 use crate::impact::{Impact, Sample};
 use crate::oblique::{Approach, ObliqueSample, Slip};
+use crate::outline::{Outline, Outlines};
 use pelletflow_core::{Material, MaterialPair, PairProperties};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -44,14 +45,7 @@ impl Arrival {
     ///
     /// When a quantity is outside its bounds, or the solver finds no release.
     pub fn impact(&self) -> Result<Impact, ImpactError> {
-        if !(0.0..FRAC_PI_2).contains(&self.angle) {
-            return Err(ImpactError::OutOfBounds {
-                quantity: "angle",
-                value: self.angle,
-                unit: "rad",
-                expected: "0 or more and less than a right angle, from the normal of the surface",
-            });
-        }
+        self.check_angle()?;
         let pair = self.pair();
         let approach = Approach {
             tangential_speed: self.speed * self.angle.sin(),
@@ -67,6 +61,52 @@ impl Arrival {
             self.damping,
             is_oblique.then_some(&approach),
         )
+    }
+
+    /// The numbers of the hit along the normal, without its curve.
+    ///
+    /// # Errors
+    ///
+    /// When a quantity is outside its bounds, or the solver finds no release.
+    pub fn outline(&self, outlines: &mut Outlines) -> Result<Outline, ImpactError> {
+        self.validate()?;
+        outlines.of(&self.elastic(), self.damping)
+    }
+
+    /// Refuses a pellet or a surface that is none, and a path that does not lead to the surface.
+    ///
+    /// # Errors
+    ///
+    /// When a quantity is outside its bounds.
+    pub fn validate(&self) -> Result<(), ImpactError> {
+        positive("diameter", "m", self.diameter)?;
+        positive("speed", "m/s", self.speed)?;
+        positive("density", "kg/m3", self.pellet.density)?;
+        for material in [&self.pellet, &self.surface] {
+            positive("Young's modulus", "Pa", material.youngs_modulus)?;
+            let ratio = material.poisson_ratio;
+            if !(ratio > -1.0 && ratio < 0.5) {
+                return Err(ImpactError::OutOfBounds {
+                    quantity: "Poisson's ratio",
+                    value: ratio,
+                    unit: "",
+                    expected: "more than -1 and less than 0.5",
+                });
+            }
+        }
+        self.check_angle()
+    }
+
+    fn check_angle(&self) -> Result<(), ImpactError> {
+        if (0.0..FRAC_PI_2).contains(&self.angle) {
+            return Ok(());
+        }
+        Err(ImpactError::OutOfBounds {
+            quantity: "angle",
+            value: self.angle,
+            unit: "rad",
+            expected: "0 or more and less than a right angle, from the normal of the surface",
+        })
     }
 
     /// Horizontal speed of a pellet that has fallen straight down on a surface of slope [`Self::angle`] [m/s].

@@ -51,6 +51,17 @@ impl Damping {
         }
     }
 
+    /// Equal only where the motion is the same in the lengths and times of the hit.
+    pub(crate) fn bits(&self, hit: &ElasticImpact) -> [u64; 2] {
+        let (kind, number) = match *self {
+            Self::None => (0, 0.0),
+            Self::Restitution(restitution) => (1, restitution),
+            Self::RestitutionWithPull(restitution) => (2, restitution),
+            Self::Viscoelastic(relaxation_time) => (3, relaxation_time * hit.speed / hit.length()),
+        };
+        [kind, number.to_bits()]
+    }
+
     /// The law in the lengths and times of a hit.
     pub(crate) fn law(&self, hit: &ElasticImpact) -> Law {
         let viscosity = match *self {

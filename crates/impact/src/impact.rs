@@ -2,10 +2,11 @@
 
 use crate::damping::Damping;
 use crate::elastic::ElasticImpact;
-use crate::error::{ImpactError, positive};
+use crate::error::ImpactError;
 use crate::fit::{BellFit, SineFit};
 use crate::head_on::HeadOn;
 use crate::oblique::{Approach, Rebound, Units};
+use crate::outline::Outline;
 
 /// Intervals between the samples of a hit [-].
 const INTERVALS: usize = 400;
@@ -87,14 +88,7 @@ impl Impact {
         damping: Damping,
         approach: Option<&Approach>,
     ) -> Result<Self, ImpactError> {
-        positive(
-            "effective Young's modulus",
-            "Pa",
-            hit.effective_youngs_modulus,
-        )?;
-        positive("effective radius", "m", hit.effective_radius)?;
-        positive("effective mass", "kg", hit.effective_mass)?;
-        positive("speed", "m/s", hit.speed)?;
+        hit.validate()?;
         damping.validate()?;
         approach.map_or(Ok(()), Approach::validate)?;
 
@@ -117,29 +111,29 @@ impl Impact {
             })
             .collect();
 
-        let peak_force = head_on.force(&head_on.hardest) * units.force;
-        let contact_time = head_on.release.time * time;
-        let asymmetry = head_on.hardest.time / head_on.release.time;
-        let restitution = -head_on.release.rate;
-        let impulse = hit.effective_mass * hit.speed * (1.0 + restitution);
+        let outline = Outline::new(hit, &head_on);
         let shape: Vec<[f64; 2]> = samples
             .iter()
-            .map(|sample| [sample.time / contact_time, sample.force / peak_force])
+            .map(|sample| {
+                [
+                    sample.time / outline.contact_time,
+                    sample.force / outline.peak_force,
+                ]
+            })
             .collect();
-        let max_approach = head_on.deepest.overlap * length;
         Ok(Self {
             speed: hit.speed,
-            peak_force,
-            contact_time,
-            max_approach,
-            contact_radius: (hit.effective_radius * max_approach).sqrt(),
-            peak_pressure: hit.pressure(peak_force),
-            restitution,
-            impulse,
-            specific_impulse: impulse / (peak_force * contact_time),
-            peak_parameter: peak_force / contact_time,
-            asymmetry,
-            bell: BellFit::new(&shape, asymmetry)?,
+            peak_force: outline.peak_force,
+            contact_time: outline.contact_time,
+            max_approach: outline.max_approach,
+            contact_radius: outline.contact_radius,
+            peak_pressure: outline.peak_pressure,
+            restitution: outline.restitution,
+            impulse: outline.impulse,
+            specific_impulse: outline.specific_impulse,
+            peak_parameter: outline.peak_parameter,
+            asymmetry: outline.asymmetry,
+            bell: BellFit::new(&shape, outline.asymmetry)?,
             sine: SineFit::new(&shape)?,
             samples,
             rebound: approach

@@ -1,7 +1,7 @@
 //! Recordings and summaries out, and recordings read back.
 //!
 //! [`run()`] drives a simulation and writes a directory: `run.mcap` opens in Lichtblick, Foxglove and Rerun,
-//! `summary.json` holds the run in numbers. [`inspect()`] and [`read_frames`] read a recording back,
+//! `summary.json` holds the run in numbers. [`inspect()`], [`read_frames`] and [`tables`] read a recording back,
 //! even one that was cut off.
 
 pub mod accuracy;
@@ -25,6 +25,7 @@ mod run;
 pub mod safe_setting;
 mod summary;
 pub mod surface;
+pub mod tables;
 mod worst_hits;
 
 pub use breakage::{Breakage, BreakageRequest, breakage};
@@ -42,4 +43,5 @@ pub use summary::{
     PerformanceSummary, SkippedSummary, Summary, TallySummary, TimeSummary,
 };
 pub use surface::Mesh;
+pub use tables::{Column, Table, TableKind, Tables, Values, hits_table, read_tables};
 pub use worst_hits::WorstHits;

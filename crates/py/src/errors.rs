@@ -1,11 +1,14 @@
 //! Errors as the exceptions of `pelletflow.errors`.
 
 use crate::scene::{NAME_OF_DICTIONARY, python_from};
-use pelletflow_log::RunError;
-use pelletflow_scene::{Mistake, Mistakes, OverrideError, Place, SceneError};
+use pelletflow_impact::ImpactError;
+use pelletflow_log::{ReadError, RunError};
+use pelletflow_scene::{Mistake, Mistakes, OverrideError, Place, SceneError, StrengthCardError};
 use pelletflow_sim::StepError;
+use pyo3::exceptions::PyFileNotFoundError;
 use pyo3::prelude::*;
 use pyo3::types::PyList;
+use std::path::Path;
 
 /// A scene that cannot be had, as `SceneError`; an unreadable file is its cause.
 pub(crate) fn from_scene(py: Python<'_>, error: SceneError) -> PyErr {
@@ -61,6 +64,52 @@ pub(crate) fn from_run(py: Python<'_>, error: &RunError) -> PyErr {
             let cause = std::io::Error::new(source.kind(), source.to_string());
             raised.set_cause(py, Some(cause.into()));
             raised
+        }
+    }
+}
+
+/// A recording that cannot be read, as `RecordingError`; what the file system said is its cause.
+pub(crate) fn from_read(py: Python<'_>, error: &ReadError, path: &Path) -> PyErr {
+    let raised = raised(py, "RecordingError", (error.to_string(), path));
+    match error {
+        ReadError::Io { source, .. } => {
+            let cause = std::io::Error::new(source.kind(), source.to_string());
+            raised.set_cause(py, Some(cause.into()));
+        }
+        ReadError::Missing { .. } => {
+            let cause = PyFileNotFoundError::new_err(error.to_string());
+            raised.set_cause(py, Some(cause));
+        }
+        _ => {}
+    }
+    raised
+}
+
+/// A quantity outside its bounds, the `index`-th of an array, as `InputError`.
+pub(crate) fn from_impact(py: Python<'_>, error: &ImpactError, index: usize) -> PyErr {
+    let message = format!("{error} (place {index} of the arrays, counted from 0)");
+    match *error {
+        ImpactError::OutOfBounds {
+            quantity,
+            value,
+            expected,
+            ..
+        } => raised(py, "InputError", (message, quantity, value, expected)),
+        _ => raised(py, "InputError", (message,)),
+    }
+}
+
+/// What was asked for and cannot be had, as `InputError`; `key` says what of it.
+pub(crate) fn from_input(py: Python<'_>, message: &str, key: &str) -> PyErr {
+    raised(py, "InputError", (message, key))
+}
+
+/// A strength card that cannot be had, as `SceneError`; an unreadable file is its cause.
+pub(crate) fn from_card(py: Python<'_>, error: StrengthCardError) -> PyErr {
+    match error {
+        StrengthCardError::Invalid(mistakes) => from_mistakes(py, &mistakes),
+        StrengthCardError::Unreadable { path, source } => {
+            from_scene(py, SceneError::Unreadable { path, source })
         }
     }
 }

@@ -2,10 +2,19 @@
 //!
 //! The package around it is `python/pelletflow`; its stubs hold the documentation that Python shows.
 
+#![expect(
+    clippy::needless_pass_by_value,
+    reason = "PyO3 hands the arguments of a function over by value"
+)]
+
 mod arrays;
+mod batch;
 mod errors;
+mod impact;
+mod recording;
 mod run;
 mod scene;
+mod score;
 mod simulation;
 
 use pyo3::prelude::*;
@@ -23,5 +32,18 @@ fn _pelletflow(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add_function(wrap_pyfunction!(command, module)?)?;
     module.add_function(wrap_pyfunction!(run::run, module)?)?;
+    module.add_function(wrap_pyfunction!(scene::scene, module)?)?;
+    module.add_function(wrap_pyfunction!(scene::toml_table, module)?)?;
+    module.add_function(wrap_pyfunction!(scene::schema, module)?)?;
+    module.add_function(wrap_pyfunction!(impact::library, module)?)?;
+    module.add_function(wrap_pyfunction!(impact::mean_interval, module)?)?;
+    module.add_function(wrap_pyfunction!(impact::impacts, module)?)?;
+    module.add_function(wrap_pyfunction!(impact::safe_speeds, module)?)?;
+    module.add_function(wrap_pyfunction!(score::scores, module)?)?;
+    module.add_function(wrap_pyfunction!(score::score_energy, module)?)?;
+    module.add_function(wrap_pyfunction!(score::card_yield_pressure, module)?)?;
+    module.add_function(wrap_pyfunction!(recording::read, module)?)?;
+    module.add_function(wrap_pyfunction!(recording::table_kinds, module)?)?;
+    module.add_class::<batch::Batch>()?;
     module.add_class::<simulation::Simulation>()
 }

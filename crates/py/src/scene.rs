@@ -3,7 +3,7 @@
 use crate::errors;
 use pelletflow_scene::{Override, Scene};
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyInt, PyMapping, PyString};
+use pyo3::types::{PyBool, PyDict, PyInt, PyMapping, PyString};
 use serde::Serialize;
 use serde_json::{Map, Number, Value};
 use std::path::PathBuf;
@@ -11,12 +11,24 @@ use std::path::PathBuf;
 /// Name of a scene that comes as a dictionary.
 pub(crate) const NAME_OF_DICTIONARY: &str = "scene";
 
+/// Method of a `Scene` that gives what it is made of.
+const PARTS: &str = "_base_and_set";
+
 /// Reads and validates a scene given as a path or a dictionary.
 pub(crate) fn read(
     scene: &Bound<'_, PyAny>,
     set: Option<&Bound<'_, PyMapping>>,
 ) -> PyResult<Scene> {
     let py = scene.py();
+    if scene.hasattr(PARTS)? {
+        // A `Scene`: what it is made of, with what is set in it.
+        let (base, own): (Bound<'_, PyAny>, Bound<'_, PyDict>) =
+            scene.call_method0(PARTS)?.extract()?;
+        if let Some(set) = set {
+            own.update(set)?;
+        }
+        return read(&base, Some(own.as_mapping()));
+    }
     let overrides = overrides(py, set)?;
     let result = if let Ok(table) = scene.cast::<PyMapping>() {
         let value = value_of(table.as_any(), "")?;
@@ -26,6 +38,38 @@ pub(crate) fn read(
         py.detach(|| Scene::read(&path, &overrides))
     };
     result.map_err(|error| errors::from_scene(py, error))
+}
+
+/// Validates a scene: its name, title, hash, text with all that was set, and what was chosen for the user.
+#[pyfunction]
+#[pyo3(signature = (scene, set=None))]
+pub(crate) fn scene<'py>(
+    scene: &Bound<'py, PyAny>,
+    set: Option<&Bound<'py, PyMapping>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let py = scene.py();
+    let read = read(scene, set)?;
+    let facts = PyDict::new(py);
+    facts.set_item("name", read.name)?;
+    facts.set_item("title", read.title)?;
+    facts.set_item("hash", read.hash)?;
+    facts.set_item("text", read.text)?;
+    facts.set_item("notes", read.notes)?;
+    Ok(facts)
+}
+
+/// The tables of a TOML text as dictionaries.
+#[pyfunction]
+pub(crate) fn toml_table<'py>(py: Python<'py>, text: &str) -> PyResult<Bound<'py, PyAny>> {
+    let table: toml::Table =
+        toml::from_str(text).map_err(|error| errors::from_value(py, "", &error.to_string()))?;
+    python_from(py, &table)
+}
+
+/// The JSON Schema of a scene.
+#[pyfunction]
+pub(crate) fn schema(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
+    python_from(py, &pelletflow_scene::schema())
 }
 
 /// A value of ours as Python's dictionaries, lists, numbers and texts.

@@ -1,11 +1,14 @@
 //! A run in memory, stepped by hand.
 
 use crate::arrays;
+use crate::batch::Batch;
 use crate::errors;
 use crate::scene::{python_from, read};
 use numpy::{PyArray1, PyArray2};
+use pelletflow_log::hits_table;
+use pelletflow_sim::{Model, Pellets, Setup, SetupError};
 use pyo3::prelude::*;
-use pyo3::types::PyMapping;
+use pyo3::types::{PyBool, PyDict, PyMapping};
 use std::time::{Duration, Instant};
 
 /// Time between two looks for Ctrl-C, about.
@@ -13,33 +16,16 @@ const LOOK_INTERVAL: Duration = Duration::from_millis(50);
 
 /// A run in memory, stepped by hand.
 ///
-/// The arrays are copies with one row per pellet inside, in order of `ids`.
+/// The arrays are copies made in one pass, with one row per pellet inside, in order of `ids`:
+/// the next step may lay the pellets anew in memory, which a view would show in disorder.
 #[pyclass(module = "pelletflow")]
 pub(crate) struct Simulation {
     inner: pelletflow_sim::Simulation,
 }
 
-#[pymethods]
 impl Simulation {
-    #[new]
-    #[pyo3(signature = (scene, *, threads=None, set=None))]
-    fn new(
-        scene: &Bound<'_, PyAny>,
-        threads: Option<usize>,
-        set: Option<&Bound<'_, PyMapping>>,
-    ) -> PyResult<Self> {
-        let py = scene.py();
-        let scene = read(scene, set)?;
-        let inner = pelletflow_sim::Simulation::new(scene.model.clone(), threads.unwrap_or(0))
-            .map_err(|errors| errors::from_mistakes(py, &scene.locate(&errors)))?;
-        Ok(Self { inner })
-    }
-
-    /// Advance by `n` time steps [-].
-    ///
-    /// Other Python threads run meanwhile, and Ctrl-C stops it between two steps.
-    #[pyo3(signature = (n=1))]
-    fn step(&mut self, py: Python<'_>, n: u64) -> PyResult<()> {
+    /// Advances by a number of steps, in slices between which it looks for Ctrl-C.
+    fn advance(&mut self, py: Python<'_>, n: u64) -> PyResult<()> {
         let inner = &mut self.inner;
         let mut left = n;
         let mut slice = 1;
@@ -58,6 +44,113 @@ impl Simulation {
             };
         }
         Ok(())
+    }
+}
+
+#[pymethods]
+impl Simulation {
+    #[new]
+    #[pyo3(signature = (scene, *, threads=None, set=None, hits=false))]
+    fn new(
+        scene: &Bound<'_, PyAny>,
+        threads: Option<usize>,
+        set: Option<&Bound<'_, PyMapping>>,
+        hits: bool,
+    ) -> PyResult<Self> {
+        let py = scene.py();
+        let scene = read(scene, set)?;
+        let refused = |errors: &[SetupError]| errors::from_mistakes(py, &scene.locate(errors));
+        let model = if hits {
+            scene.model.clone()
+        } else {
+            // Nobody would take them, and they would pile up.
+            let setup = Setup {
+                hits: None,
+                ..scene.setup.clone()
+            };
+            Model::new(setup).map_err(|errors| refused(&errors))?
+        };
+        let inner = pelletflow_sim::Simulation::new(model, threads.unwrap_or(0))
+            .map_err(|errors| refused(&errors))?;
+        Ok(Self { inner })
+    }
+
+    /// Advance by `n` time steps [-], and call `callback` with the simulation after every `every` of them.
+    ///
+    /// Other Python threads run meanwhile, and Ctrl-C stops it between two steps.
+    /// A callback that returns False stops it too.
+    #[pyo3(signature = (n=1, *, callback=None, every=1))]
+    fn step(
+        slf: &Bound<'_, Self>,
+        n: u64,
+        callback: Option<&Bound<'_, PyAny>>,
+        every: u64,
+    ) -> PyResult<()> {
+        let py = slf.py();
+        if every == 0 {
+            let message = "every is 0; expected at least 1 step between two calls";
+            return Err(errors::from_input(py, message, "every"));
+        }
+        let Some(callback) = callback else {
+            return slf.try_borrow_mut()?.advance(py, n);
+        };
+        let mut left = n;
+        while left > 0 {
+            let steps = every.min(left);
+            slf.try_borrow_mut()?.advance(py, steps)?;
+            left -= steps;
+            // Steps left over at the end make no full stride.
+            if steps == every && callback.call1((slf,))?.is(PyBool::new(py, false)) {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// Take the hits kept in full that have ended since the last call, in SI units [-].
+    ///
+    /// They are held in memory until then.
+    fn take_hits<'py>(&mut self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let setup = self.inner.model().setup();
+        if setup.hits.is_none() {
+            let message = "this simulation follows no hits; make it with `hits=True`, and take them now and then, \
+                           because they are held in memory until then";
+            return Err(errors::from_input(py, message, "hits"));
+        }
+        let walls: Vec<String> = setup.walls.iter().map(|wall| wall.name.clone()).collect();
+        let hits = self.inner.take_hits();
+        let batch = Batch::from(hits_table(&hits, &walls));
+        py.import("pelletflow._table")?
+            .getattr("Table")?
+            .call_method1("_of", (batch,))
+    }
+
+    /// Refused: its state is far larger than the scene that it follows from.
+    fn __reduce__(slf: &Bound<'_, Self>) -> PyResult<()> {
+        let message = "a Simulation does not pickle; send its scene and the number of steps, which give the same bits \
+                       anywhere";
+        Err(errors::from_input(slf.py(), message, "Simulation"))
+    }
+
+    /// Draw the pellets as circles colored by speed [m/s]; needs matplotlib.
+    ///
+    /// `along` is the axis of the view, `ax` the axes to draw on.
+    #[pyo3(signature = (**options))]
+    fn plot<'py>(
+        slf: &Bound<'py, Self>,
+        options: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let plots = slf.py().import("pelletflow._plot")?;
+        plots.getattr("pellets")?.call((slf,), options)
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "<pelletflow.Simulation: {} pellets at {:.6} s, step {}>",
+            self.inner.pellet_count(),
+            self.inner.time(),
+            self.inner.step_count()
+        )
     }
 
     /// Simulated time [s].
@@ -87,37 +180,37 @@ impl Simulation {
     /// Permanent numbers, rising, in order of insertion, shape (n,) [-].
     #[getter]
     fn ids<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u32>> {
-        arrays::column(py, &self.inner, |pellet| pellet.id)
+        arrays::column(py, &self.inner, |pellets, index| pellets.id[index])
     }
 
     /// Centers in the world, shape (n, 3) [m].
     #[getter]
     fn positions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        arrays::rows(py, &self.inner, |pellet| pellet.position.into())
+        arrays::vectors(py, &self.inner, |pellets| &pellets.position)
     }
 
     /// Velocities, shape (n, 3) [m/s].
     #[getter]
     fn velocities<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        arrays::rows(py, &self.inner, |pellet| pellet.velocity.into())
+        arrays::vectors(py, &self.inner, |pellets| &pellets.velocity)
     }
 
     /// Spins in the world, shape (n, 3) [rad/s].
     #[getter]
     fn spins<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        arrays::rows(py, &self.inner, |pellet| pellet.spin.into())
+        arrays::vectors(py, &self.inner, |pellets| &pellets.spin)
     }
 
     /// Radii, shape (n,) [m].
     #[getter]
     fn radii<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        arrays::column(py, &self.inner, |pellet| pellet.radius)
+        arrays::column(py, &self.inner, |pellets, index| pellets.position[index][3])
     }
 
     /// Masses, shape (n,) [kg].
     #[getter]
     fn masses<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        arrays::column(py, &self.inner, |pellet| pellet.mass)
+        arrays::column(py, &self.inner, Pellets::mass)
     }
 
     /// Where every pellet went: inserted = inside + discharged + lost.

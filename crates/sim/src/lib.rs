@@ -68,7 +68,7 @@ pub use setup::{
 pub use simulation::{Phase, Simulation, WallView};
 pub use size::SizeDistribution;
 pub use skipped::Skipped;
-pub use state::State;
+pub use state::{Pellets, Row, State};
 pub use time_step::{StepRequest, TimeStep};
 pub use wall::Wall;
 pub use wall_shape::WallShape;

@@ -7,6 +7,7 @@
 
 mod check;
 mod dependencies;
+mod distribution;
 mod documentation;
 mod page;
 mod peers;
@@ -36,6 +37,8 @@ enum Command {
         #[arg(value_parser = clap::builder::PossibleValuesParser::new(verify::TESTS))]
         tests: Vec<String>,
     },
+    /// Builds the wheel of this platform, with every instruction set inside, from the source distribution; both into target/dist.
+    Wheel,
     /// Compares the speed with LAMMPS and LIGGGHTS, which it installs, and with itself; prints a table.
     BenchPeers(peers::Options),
 }
@@ -46,6 +49,7 @@ fn main() -> ExitCode {
         Command::Test => test::run(&mut report),
         Command::Check => check::run(&mut report),
         Command::Verify { tests } => verify::run(&mut report, &tests),
+        Command::Wheel => distribution::run(&mut report),
         Command::BenchPeers(options) => peers::run(&options),
     };
     report.print();

@@ -1,5 +1,6 @@
 //! `cargo xtask test`: every test there is, on a machine with only Rust and Python 3.
 
+use crate::distribution;
 use crate::process;
 use crate::report::Report;
 use crate::venv::Venv;
@@ -21,6 +22,7 @@ pub(crate) fn wheel_and_recordings(report: &mut Report, venv: &Venv) -> Result<(
         venv.install_wheel()?;
         Ok("built and installed".to_owned())
     })?;
+    report.part("source distribution", || distribution::check_source(venv))?;
     report.part("Python tests", || python_tests(venv))?;
     report.part("example scenes", || recordings(venv))
 }

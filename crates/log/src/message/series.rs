@@ -30,12 +30,26 @@ pub(crate) fn encode(row: &Row) -> Vec<u8> {
     bytes
 }
 
+/// The values of a message that [`encode`] made, in the order of the schema; none where it has another form.
+pub(crate) fn decode(bytes: &[u8]) -> Option<Vec<f64>> {
+    let mut rest = bytes;
+    let mut values = Vec::new();
+    while !rest.is_empty() {
+        let number = values.len() as u64 + 1;
+        let tag = prost::encoding::decode_varint(&mut rest).ok()?;
+        let (value, after) = rest.split_first_chunk()?;
+        if tag != (number << 3 | EIGHT_BYTES) {
+            return None;
+        }
+        values.push(f64::from_le_bytes(*value));
+        rest = after;
+    }
+    Some(values)
+}
+
 /// The first value of a message that [`encode`] made; none where it has another form.
 pub(crate) fn first_value(bytes: &[u8]) -> Option<f64> {
-    let mut rest = bytes;
-    let tag = prost::encoding::decode_varint(&mut rest).ok()?;
-    let value = rest.get(..8)?.try_into().ok()?;
-    (tag == 1 << 3 | EIGHT_BYTES).then(|| f64::from_le_bytes(value))
+    decode(bytes)?.first().copied()
 }
 
 /// `mass-flow` becomes `MassFlow`.
