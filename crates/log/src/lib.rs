@@ -5,6 +5,8 @@
 //! even one that was cut off.
 
 pub mod accuracy;
+mod checkpoint;
+mod counts_before;
 mod course;
 mod ending;
 mod error;
@@ -13,7 +15,9 @@ mod hit_summary;
 mod hits;
 mod inspect;
 mod layout;
+mod logbook;
 mod message;
+mod opening;
 mod output;
 mod patches;
 pub mod plot;
@@ -25,7 +29,8 @@ mod summary;
 pub mod surface;
 mod worst_hits;
 
-pub use error::{ReadError, RunError};
+pub use checkpoint::{Earlier, Resumption, admit, discard, earlier};
+pub use error::{FolderError, ReadError, RunError};
 pub use frames::{FrameRecord, Frames, PelletRecord, read_attachment, read_frames};
 pub use hit_summary::HitSummary;
 pub use hits::{RecordedHits, read_hits};
