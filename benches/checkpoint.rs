@@ -7,10 +7,10 @@ mod silo;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use pelletflow::sim::HitRequest;
 
-const PELLETS: usize = 100_000;
-const RADIUS: f64 = 0.5;
+const PELLETS: usize = 10_000;
+const RADIUS: f64 = 0.15;
 /// Steps in which the bed, which is put down nearly settled, takes up its weight.
-const SETTLING_STEPS: u64 = 500;
+const SETTLING_STEPS: u64 = 10_000;
 /// Steps advanced at a time.
 const STEPS: u64 = 16;
 

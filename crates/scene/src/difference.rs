@@ -10,7 +10,7 @@ use toml_edit::{Document, Item, TableLike, Value};
 pub struct Difference {
     /// Dotted key, as in `time.end`.
     pub key: String,
-    /// Its value in the first scene, as written there; none where the key is not there.
+    /// Its value in the first scene, as TOML; none where the key is not there.
     pub first: Option<String>,
     /// The same in the second.
     pub second: Option<String>,
@@ -49,7 +49,7 @@ impl fmt::Display for Difference {
     }
 }
 
-/// Every value of a text by its dotted key, as written.
+/// Every value of a text by its dotted key.
 fn values_of(text: &str) -> BTreeMap<String, String> {
     let mut values = BTreeMap::new();
     if let Ok(document) = Document::parse(text) {
@@ -96,7 +96,7 @@ mod tests {
             .collect();
         let expected = [
             "time.end: \"2 s\", now \"3 s\"",
-            "time.step: not given, now 1e-5",
+            "time.step: not given, now 0.00001",
             "walls.cone.shape.plane.normal: [0, 0, 1], now [0, 1, 0]",
         ];
         assert_eq!(lines, expected);
