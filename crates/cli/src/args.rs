@@ -24,6 +24,7 @@ Examples:
   pelletflow new hopper                  write a scene to start from: hopper.toml
   pelletflow check hopper.toml           find every mistake; show what a run will do
   pelletflow run hopper.toml             run it; results go to out/hopper
+  pelletflow run hopper.toml --resume    go on with a run that was interrupted or killed
   pelletflow inspect out/hopper/run.mcap show what the recording holds
   pelletflow score out/hopper/run.mcap --strength 2kN   tell which pellets break, where and by what
   pelletflow impact --figure 2           follow one hit, from 1 to 8 m/s, as in the paper
@@ -37,7 +38,7 @@ Exit codes:
   2    bad input: the command line, the scene, a missing file
   3    the physics failed, or an [expect] of the scene is not met
   4    reading or writing failed
-  130  interrupted";
+  130  interrupted; `run --resume` goes on";
 
 /// Simulates flows of iron-ore pellets through hoppers and chutes.
 ///
@@ -89,14 +90,19 @@ Writes into the directory:
   scene.toml    the scene as it was run, with every --set in it
   layout.json   what Foxglove and Lichtblick show, to be opened there beside the recording
   meters/       a table of patches for each meter that keeps them: `wall-impacts`, `wear`
+  checkpoint.pf what --resume goes on from, until the run is over
 
 Examples:
   pelletflow run hopper.toml
   pelletflow run hopper.toml -o out/wide --set walls.gate.opens_at=\"1 s\" --set fill.bed.count=2000
   pelletflow run hopper.toml --json --quiet | jq .contacts.max_force_n
   pelletflow run hopper.toml --profile   show where the time went
+  pelletflow run hopper.toml --resume    go on with a run that was interrupted or killed
 
-Ctrl-C ends the run after the current step; recording and summary are then written as for a finished run.")]
+Ctrl-C ends the run after the current step; recording and summary are then written as for a finished run, with a
+checkpoint beside them. Checkpoints are also written every 10 minutes (output.checkpoint_interval), so that a run that
+was killed loses no more. --resume goes on from the newest and gives the same bits as a run that was never interrupted;
+where there is none, it begins at the start.")]
 pub(crate) struct RunArguments {
     /// Scene file.
     pub(crate) scene: PathBuf,
@@ -106,6 +112,8 @@ pub(crate) struct RunArguments {
     /// Set a value of the scene; can be given more than once.
     #[arg(long, value_name = "KEY=VALUE")]
     pub(crate) set: Vec<Override>,
+    #[command(flatten)]
+    pub(crate) earlier: EarlierArguments,
     /// Number of threads; all cores where it is left out. The result does not depend on it.
     #[arg(long, value_name = "N", value_parser = thread_count)]
     pub(crate) threads: Option<usize>,
@@ -118,6 +126,17 @@ pub(crate) struct RunArguments {
     /// Show no progress and no table but that of --profile.
     #[arg(short, long)]
     pub(crate) quiet: bool,
+}
+
+/// What is done with an unfinished run in the directory.
+#[derive(Debug, Args)]
+pub(crate) struct EarlierArguments {
+    /// Go on with the unfinished run in the directory, to the same bits; begin at the start where there is none.
+    #[arg(long, conflicts_with = "restart")]
+    pub(crate) resume: bool,
+    /// Drop the unfinished run in the directory and begin anew.
+    #[arg(long)]
+    pub(crate) restart: bool,
 }
 
 #[derive(Debug, Args)]

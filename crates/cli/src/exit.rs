@@ -1,6 +1,6 @@
 //! How a command ends.
 
-use pelletflow_log::{ReadError, RunError};
+use pelletflow_log::{FolderError, ReadError, RunError};
 use pelletflow_scene::{LabSheetError, Mistakes, SceneError, StrengthCardError};
 use std::io;
 
@@ -112,6 +112,13 @@ impl From<RunError> for Failure {
         let exit = match error {
             RunError::Physics { .. } => Exit::Failed,
             RunError::Output { .. } => Exit::InputOutput,
+            RunError::Folder(ref error) => match **error {
+                FolderError::Locked { .. }
+                | FolderError::Unfinished { .. }
+                | FolderError::OtherScene { .. }
+                | FolderError::OtherVersion { .. } => Exit::BadInput,
+                _ => Exit::InputOutput,
+            },
         };
         Self::new(exit, error.to_string())
     }

@@ -1,11 +1,12 @@
 //! The course of a run: steps, and what is recorded between them.
 
+use crate::checkpoint::Keeper;
 use crate::ending::{end_of, reason_of};
+use crate::logbook::Logbook;
 use crate::message::event::Gravity;
-use crate::recording::{Due, Entry, Recorder, RecordingTimes, Stopped};
+use crate::recording::{Entry, Recorder, RecordingTimes, Stopped};
 use crate::run::Progress;
 use crate::summary::Ended;
-use crate::worst_hits::{MARKED, WorstHits};
 use mcap::{McapError, McapResult};
 use pelletflow_sim::{RunPlan, Simulation, StepError};
 use std::fs::File;
@@ -48,29 +49,34 @@ impl From<Stopped> for Break {
 /// A run on its way, and what of it is recorded.
 pub(crate) struct Course<'scope> {
     recorder: Recorder<'scope, BufWriter<File>>,
+    keeper: Keeper,
     /// Time that copying took.
     copying: Duration,
-    is_present: Vec<bool>,
-    /// Step of the last frame [-].
-    last_frame: Option<u64>,
-    /// Step of the last meter reading [-].
-    last_reading: Option<u64>,
-    worst_hits: WorstHits,
-    /// Hits in the last sketch [-].
-    sketched: u64,
+    logbook: Logbook,
+    has_begun: bool,
 }
 
 impl<'scope> Course<'scope> {
     /// A run of which nothing is recorded yet.
-    pub(crate) fn new(recorder: Recorder<'scope, BufWriter<File>>) -> Self {
+    pub(crate) fn new(
+        recorder: Recorder<'scope, BufWriter<File>>,
+        keeper: Keeper,
+        logbook: Logbook,
+    ) -> Self {
         Self {
             recorder,
+            keeper,
             copying: Duration::ZERO,
-            is_present: Vec::new(),
-            last_frame: None,
-            last_reading: None,
-            worst_hits: WorstHits::new(MARKED),
-            sketched: 0,
+            logbook,
+            has_begun: false,
+        }
+    }
+
+    /// The same run taken up again.
+    pub(crate) fn going_on(self) -> Self {
+        Self {
+            has_begun: true,
+            ..self
         }
     }
 
@@ -111,26 +117,33 @@ impl<'scope> Course<'scope> {
         observer: &mut dyn FnMut(&Progress) -> ControlFlow<()>,
     ) -> Result<Ended, Break> {
         let step = simulation.model().time_step().seconds;
-        let start = simulation.time();
-        let mut frame_due = Due::every(plan.frame_interval, step, start);
-        let mut meters_due = Due::every(plan.meter_interval, step, start);
-        self.begin(simulation)?;
+        if !self.has_begun {
+            self.begin(simulation)?;
+        }
         let (mut last_flush, mut last_look) = (Instant::now(), Instant::now());
+        let mut is_interrupted = false;
         loop {
             if let Some(ended) = end_of(simulation, plan) {
                 return Ok(ended);
             }
-            let next = frame_due.next().min(meters_due.next()).min(plan.end_time);
+            // Only where steps follow: the last frame shows forces, and a restart has none before its first step.
+            if is_interrupted || self.keeper.is_due() {
+                self.save(simulation)?;
+            }
+            if is_interrupted {
+                return Ok(Ended::Interrupted);
+            }
+            let next = self.logbook.next_due().min(plan.end_time);
             let next = next.min(next_wall_change(simulation));
             simulation
                 .advance(stride(simulation.time(), next, step))
                 .map_err(Break::Physics)?;
             self.watch_walls(simulation)?;
             let time = simulation.time();
-            if meters_due.is_now(time) {
+            if self.logbook.meters_due.is_now(time) {
                 self.read_meters(simulation)?;
             }
-            if frame_due.is_now(time) {
+            if self.logbook.frame_due.is_now(time) {
                 self.tell_hits(simulation)?;
                 self.draw(simulation)?;
             }
@@ -141,11 +154,22 @@ impl<'scope> Course<'scope> {
             }
             if now - last_look >= OBSERVER_INTERVAL {
                 last_look = now;
-                if observer(&progress(simulation, plan)).is_break() {
-                    return Ok(Ended::Interrupted);
-                }
+                is_interrupted = observer(&progress(simulation, plan)).is_break();
             }
         }
+    }
+
+    /// Has the run as it is now written beside the recording.
+    fn save(&mut self, simulation: &Simulation) -> Result<(), Stopped> {
+        let began = Instant::now();
+        let times = RecordingTimes {
+            copying: self.copying,
+            waiting: self.recorder.waiting(),
+            writing: Duration::ZERO,
+        };
+        let save = self.keeper.save(simulation, &self.logbook, times);
+        self.copying += began.elapsed();
+        self.recorder.put(Entry::Checkpoint(Box::new(save)))
     }
 
     /// Records the beginning.
@@ -157,7 +181,6 @@ impl<'scope> Course<'scope> {
             simulation.model().time_step().reason
         );
         self.note(simulation, Gravity::Information, text)?;
-        self.is_present = simulation.walls().map(|wall| wall.is_present).collect();
         self.draw_walls(simulation)?;
         self.draw(simulation)?;
         self.read_meters(simulation)?;
@@ -169,8 +192,8 @@ impl<'scope> Course<'scope> {
     fn watch_walls(&mut self, simulation: &Simulation) -> Result<(), Stopped> {
         let mut has_changed = false;
         for wall in simulation.walls() {
-            if wall.is_present != self.is_present[wall.index] {
-                self.is_present[wall.index] = wall.is_present;
+            if wall.is_present != self.logbook.is_present[wall.index] {
+                self.logbook.is_present[wall.index] = wall.is_present;
                 has_changed = true;
                 let name = &simulation.model().setup().walls[wall.index].name;
                 let what = if wall.is_present {
@@ -206,17 +229,17 @@ impl<'scope> Course<'scope> {
     fn draw_walls(&mut self, simulation: &Simulation) -> Result<(), Stopped> {
         self.recorder.put(Entry::Walls {
             time: simulation.time(),
-            is_present: self.is_present.clone(),
+            is_present: self.logbook.is_present.clone(),
         })
     }
 
     /// Records where everything is, once per step.
     fn draw(&mut self, simulation: &Simulation) -> Result<(), Stopped> {
         let step = simulation.step_count();
-        if self.last_frame == Some(step) {
+        if self.logbook.last_frame == Some(step) {
             return Ok(());
         }
-        self.last_frame = Some(step);
+        self.logbook.last_frame = Some(step);
         let mut frame = self.recorder.blank()?;
         let began = Instant::now();
         frame.fill(simulation);
@@ -227,10 +250,10 @@ impl<'scope> Course<'scope> {
     /// Records what the meters read, once per step.
     fn read_meters(&mut self, simulation: &Simulation) -> Result<(), Stopped> {
         let step = simulation.step_count();
-        if self.last_reading == Some(step) {
+        if self.logbook.last_reading == Some(step) {
             return Ok(());
         }
-        self.last_reading = Some(step);
+        self.logbook.last_reading = Some(step);
         let began = Instant::now();
         let readings = simulation.meter_readings();
         self.copying += began.elapsed();
@@ -248,13 +271,13 @@ impl<'scope> Course<'scope> {
         }
         let time = simulation.time();
         for hit in &hits {
-            self.worst_hits.enter(hit);
+            self.logbook.worst_hits.enter(hit);
         }
         self.recorder.put(Entry::Hits { time, hits })?;
         let ledger = &simulation.state().hits;
         let count = ledger.total().count;
-        if count as f64 >= SKETCH_GROWTH * self.sketched as f64 {
-            self.sketched = count;
+        if count as f64 >= SKETCH_GROWTH * self.logbook.sketched as f64 {
+            self.logbook.sketched = count;
             let classes = ledger.classes().clone();
             self.recorder.put(Entry::HitClasses { time, classes })?;
         }
@@ -271,12 +294,12 @@ impl<'scope> Course<'scope> {
         let all = simulation.hits_with_open();
         let hits = all.rows().to_vec();
         for hit in &hits {
-            self.worst_hits.enter(hit);
+            self.logbook.worst_hits.enter(hit);
         }
         self.recorder.put(Entry::Hits { time, hits })?;
         let classes = all.classes().clone();
         self.recorder.put(Entry::HitClasses { time, classes })?;
-        let mut worst: Vec<_> = self.worst_hits.as_slice().iter().zip(1..).collect();
+        let mut worst: Vec<_> = self.logbook.worst_hits.as_slice().iter().zip(1..).collect();
         // A topic never goes back in time.
         worst.sort_by(|one, other| one.0.peak_time.total_cmp(&other.0.peak_time));
         for (&hit, rank) in worst {

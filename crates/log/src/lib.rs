@@ -6,6 +6,8 @@
 
 pub mod accuracy;
 pub mod breakage;
+mod checkpoint;
+mod counts_before;
 mod course;
 mod ending;
 mod error;
@@ -14,7 +16,9 @@ mod hit_summary;
 mod hits;
 mod inspect;
 mod layout;
+mod logbook;
 mod message;
+mod opening;
 mod output;
 mod patches;
 pub mod plot;
@@ -29,7 +33,8 @@ pub mod tables;
 mod worst_hits;
 
 pub use breakage::{Breakage, BreakageRequest, breakage};
-pub use error::{ReadError, RunError};
+pub use checkpoint::{Earlier, Resumption, admit, discard, earlier};
+pub use error::{FolderError, ReadError, RunError};
 pub use frames::{FrameRecord, Frames, PelletRecord, read_attachment, read_frames};
 pub use hit_summary::HitSummary;
 pub use hits::{RecordedHits, read_hits};

@@ -1,31 +1,46 @@
 //! The directory of a run.
 
-use crate::error::RunError;
+use crate::error::{FolderError, RunError};
 use crate::summary::Summary;
-use std::fs::{self, File};
-use std::io::{self, BufWriter};
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::process;
 
-/// A directory that files are written to.
+/// File that is locked while a run writes to its directory; it stays, for whoever removes a lock breaks that of another.
+const LOCK: &str = "run.lock";
+
+/// A directory that files are written to, by one run at a time.
+#[derive(Debug)]
 pub(crate) struct Output {
     directory: PathBuf,
+    /// Locked until it is closed, however the process ends; none where the file system knows no locks.
+    _lock: Option<File>,
 }
 
 impl Output {
-    /// Makes the directory, and takes away the summary of an earlier run:
-    /// beside a new recording it would be taken for the new run's.
-    pub(crate) fn create(directory: &Path) -> Result<Self, RunError> {
+    /// Makes the directory where it does not exist, and keeps other runs out.
+    pub(crate) fn open(directory: &Path) -> Result<Self, RunError> {
         fs::create_dir_all(directory).map_err(|source| RunError::output(directory, source))?;
-        let output = Self {
+        Ok(Self {
             directory: directory.into(),
-        };
-        let summary = output.path("summary.json");
+            _lock: lock(directory)?,
+        })
+    }
+
+    /// Takes away the summary of an earlier run: beside a new recording it would be taken for the new run's.
+    pub(crate) fn clear_summary(&self) -> Result<(), RunError> {
+        let summary = self.path("summary.json");
         match fs::remove_file(&summary) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => {
                 Err(RunError::output(&summary, error))
             }
-            _ => Ok(output),
+            _ => Ok(()),
         }
+    }
+
+    pub(crate) fn directory(&self) -> &Path {
+        &self.directory
     }
 
     pub(crate) fn path(&self, name: &str) -> PathBuf {
@@ -34,7 +49,7 @@ impl Output {
 
     pub(crate) fn write(&self, name: &str, text: &str) -> Result<(), RunError> {
         let path = self.path(name);
-        fs::write(&path, text).map_err(|source| RunError::output(&path, source))
+        write_where_new(&path, text.as_bytes()).map_err(|source| RunError::output(&path, source))
     }
 
     /// Writes a file of a folder within, which is made where it does not exist.
@@ -50,14 +65,13 @@ impl Output {
         let path = self.directory.join(path);
         let folder = path.parent().unwrap_or(&self.directory);
         fs::create_dir_all(folder)
-            .and_then(|()| fs::write(&path, bytes))
+            .and_then(|()| write_where_new(&path, bytes))
             .map_err(|source| RunError::output(&path, source))
     }
 
-    pub(crate) fn file(&self, name: &str) -> Result<BufWriter<File>, RunError> {
+    pub(crate) fn file(&self, name: &str) -> Result<File, RunError> {
         let path = self.path(name);
-        let file = File::create(&path).map_err(|source| RunError::output(&path, source))?;
-        Ok(BufWriter::new(file))
+        File::create(&path).map_err(|source| RunError::output(&path, source))
     }
 
     /// Writes `summary.json` at once: a reader sees the whole of it or none.
@@ -69,5 +83,50 @@ impl Output {
         fs::write(&unfinished, text + "\n")
             .and_then(|()| fs::rename(&unfinished, &path))
             .map_err(|source| RunError::output(&path, source))
+    }
+}
+
+/// Locks a directory against other runs.
+fn lock(directory: &Path) -> Result<Option<File>, RunError> {
+    let path = directory.join(LOCK);
+    let mut file = OpenOptions::new()
+        .write(true)
+        .create(true)
+        .truncate(false)
+        .open(&path)
+        .map_err(|source| RunError::output(&path, source))?;
+    match file.try_lock() {
+        Ok(()) => {
+            // For whoever finds it locked; whether it is written does not matter.
+            let _ = file
+                .set_len(0)
+                .and_then(|()| writeln!(file, "{}", process::id()));
+            Ok(Some(file))
+        }
+        Err(TryLockError::WouldBlock) => Err(FolderError::Locked {
+            directory: directory.into(),
+            process: fs::read_to_string(&path)
+                .ok()
+                .and_then(|text| text.trim().parse().ok()),
+        }
+        .into()),
+        Err(TryLockError::Error(error)) if error.kind() == io::ErrorKind::Unsupported => Ok(None),
+        Err(TryLockError::Error(source)) => Err(RunError::output(&path, source)),
+    }
+}
+
+/// Writes a file unless it holds that already: a process killed in the middle must not leave half of what was whole.
+fn write_where_new(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    match fs::read(path) {
+        Ok(held) if held == bytes => Ok(()),
+        _ => fs::write(path, bytes),
+    }
+}
+
+/// Waits until the disk has the names of a directory, where the system can.
+pub(crate) fn sync_directory(directory: &Path) {
+    // What is in the files is on the disk; a system that opens no directories keeps names by itself.
+    if let Ok(directory) = File::open(directory) {
+        let _ = directory.sync_all();
     }
 }

@@ -1,17 +1,17 @@
 //! A run from its first step to its last, recorded.
 
+use crate::checkpoint::{self, Identity, Keeper, Spent, refuse_unfinished};
+use crate::counts_before::CountsBefore;
 use crate::course::{Course, Stop};
 use crate::error::RunError;
-use crate::layout::layout;
+use crate::logbook::Logbook;
+use crate::opening::{self, EarlierPart, RECORDING, as_io};
 use crate::output::Output;
 use crate::patches;
-use crate::recording::{Recorder, Recording, Title};
-use crate::summary::{CountsBefore, Ended, RunFacts, Summary};
-use mcap::McapError;
+use crate::recording::{Mark, Recorder};
+use crate::summary::{Ended, RunFacts, Summary};
 use pelletflow_sim::{RunPlan, Simulation, StepError};
-use std::collections::BTreeMap;
-use std::fs::File;
-use std::io::{self, BufWriter};
+use std::io;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -67,53 +67,28 @@ pub struct Progress {
 /// The recording is written by a thread of its own, which holds three frames at most: where they are not written
 /// fast enough, the run waits.
 ///
+/// Checkpoints are written as the plan says, and when the observer breaks; [`earlier`](crate::earlier()) finds them again.
+/// They are removed when the run is over.
+///
 /// # Errors
-/// The physics failed, or a file could not be written.
+/// Another run writes to the directory or can go on there, the physics failed, or a file could not be written.
 pub fn run(
     simulation: &mut Simulation,
     request: &RunRequest,
     observer: &mut dyn FnMut(&Progress) -> ControlFlow<()>,
 ) -> Result<Summary, RunError> {
-    let began = Instant::now();
-    let before = CountsBefore::of(simulation);
-    let output = Output::create(request.directory)?;
-    let recording = start(&output, simulation, request)?;
-    let path = output.path("run.mcap");
-    let (outcome, recording_times) = thread::scope(|scope| {
-        let recorder = Recorder::start(scope, recording)?;
-        Ok(Course::new(recorder).run(simulation, request.plan, observer))
-    })
-    .map_err(|error| RunError::output(&path, error))?;
+    let output = Output::open(request.directory)?;
+    refuse_unfinished(&output)?;
+    checkpoint::remove(output.directory())?;
+    Beginning::new(simulation, request.plan).run(&output, simulation, request, observer)
+}
 
-    let (ended, failure) = match outcome {
-        Ok(ended) => (ended, None),
-        Err(Stop::Physics(error)) => (Ended::Failed, Some(Failure::Physics(error))),
-        Err(Stop::Output(error)) => {
-            let error = RunError::output(&path, as_io(error));
-            (Ended::Failed, Some(Failure::Output(error)))
-        }
-    };
-    let summary = Summary::new(
-        simulation,
-        &RunFacts {
-            scene: request.scene_name,
-            scene_hash: request.scene_hash,
-            wall_time: began.elapsed().as_secs_f64(),
-            recording_times,
-            before,
-            ended,
-            failure: failure.as_ref().map(ToString::to_string),
-        },
-    );
-    let written = patches::write(&output, simulation).and_then(|()| output.write_summary(&summary));
-    match failure {
-        Some(Failure::Physics(error)) => Err(RunError::Physics {
-            error,
-            summary: Box::new(summary),
-        }),
-        Some(Failure::Output(error)) => Err(error),
-        None => written.map(|()| summary),
-    }
+/// Where a run begins or goes on.
+pub(crate) struct Beginning {
+    before: CountsBefore,
+    spent: Spent,
+    logbook: Logbook,
+    earlier: Option<EarlierPart>,
 }
 
 /// What failed.
@@ -124,55 +99,109 @@ enum Failure {
     Output(RunError),
 }
 
-/// Writes what is known before the first step, and begins the recording.
-fn start(
-    output: &Output,
-    simulation: &Simulation,
-    request: &RunRequest,
-) -> Result<Recording<BufWriter<File>>, RunError> {
-    let setup = simulation.model().setup();
-    let full_speed = simulation.model().time_step().expected_speed;
-    let layout = layout(
-        &setup.domain.bounds,
-        &simulation.meter_readings(),
-        request.spheres_up_to,
-        full_speed,
-    );
-    output.write("scene.toml", request.scene_text)?;
-    for (path, bytes) in request.scene_files {
-        output.write_beside(path, bytes)?;
+impl Beginning {
+    fn new(simulation: &Simulation, plan: &RunPlan) -> Self {
+        Self {
+            before: CountsBefore::of(simulation),
+            spent: Spent::default(),
+            logbook: Logbook::new(simulation, plan),
+            earlier: None,
+        }
     }
-    output.write("layout.json", &layout)?;
-    patches::write(output, simulation)?;
-    let title = Title {
-        scene_text: request.scene_text,
-        layout: &layout,
-        facts: facts(simulation, request),
-    };
-    let file = output.file("run.mcap")?;
-    Recording::start(file, setup, &title, request.spheres_up_to, full_speed)
-        .map_err(|error| RunError::output(&output.path("run.mcap"), as_io(error)))
+
+    /// Of a run taken up where its recording has a mark; `damaged` is a newer checkpoint that cannot be.
+    pub(crate) fn going_on(
+        simulation: &Simulation,
+        logbook: Logbook,
+        spent: Spent,
+        mark: Mark,
+        damaged: Option<PathBuf>,
+    ) -> Self {
+        Self {
+            before: CountsBefore::going_on(simulation, &spent),
+            spent,
+            logbook,
+            earlier: Some(EarlierPart { mark, damaged }),
+        }
+    }
+
+    /// Drives the run to its end.
+    pub(crate) fn run(
+        self,
+        output: &Output,
+        simulation: &mut Simulation,
+        request: &RunRequest,
+        observer: &mut dyn FnMut(&Progress) -> ControlFlow<()>,
+    ) -> Result<Summary, RunError> {
+        let began = Instant::now();
+        output.clear_summary()?;
+        let (recording, file) = match &self.earlier {
+            None => opening::begin(output, simulation, request)?,
+            Some(earlier) => opening::go_on(output, simulation, request, earlier)?,
+        };
+        let path = output.path(RECORDING);
+        let keeper = Keeper::new(
+            output.directory().into(),
+            Identity::of(request),
+            Arc::new(file),
+            request.plan.checkpoint_interval,
+            (self.before.clone(), self.spent.clone()),
+        );
+        let (outcome, recording_times) = thread::scope(|scope| {
+            let recorder = Recorder::start(scope, recording)?;
+            let mut course = Course::new(recorder, keeper, self.logbook);
+            if self.earlier.is_some() {
+                course = course.going_on();
+            }
+            Ok(course.run(simulation, request.plan, observer))
+        })
+        .map_err(|error| RunError::output(&path, without_thread(&error)))?;
+
+        let (ended, failure) = match outcome {
+            Ok(ended) => (ended, None),
+            Err(Stop::Physics(error)) => (Ended::Failed, Some(Failure::Physics(error))),
+            Err(Stop::Output(error)) => {
+                let error = RunError::output(&path, as_io(error));
+                (Ended::Failed, Some(Failure::Output(error)))
+            }
+        };
+        let summary = Summary::new(
+            simulation,
+            &RunFacts {
+                scene: request.scene_name,
+                scene_hash: request.scene_hash,
+                wall_time: self.spent.wall_time + began.elapsed().as_secs_f64(),
+                recording_times: self.spent.recording.and(recording_times),
+                before: self.before,
+                ended,
+                failure: failure.as_ref().map(ToString::to_string),
+            },
+        );
+        let written =
+            patches::write(output, simulation).and_then(|()| output.write_summary(&summary));
+        match failure {
+            Some(Failure::Output(error)) => Err(error),
+            Some(Failure::Physics(error)) => {
+                // It would fail again; what cannot be removed then does no harm.
+                let _ = checkpoint::remove(output.directory());
+                Err(RunError::Physics {
+                    error,
+                    summary: Box::new(summary),
+                })
+            }
+            None => {
+                written?;
+                if ended != Ended::Interrupted {
+                    checkpoint::remove(output.directory())?;
+                }
+                Ok(summary)
+            }
+        }
+    }
 }
 
-fn facts(simulation: &Simulation, request: &RunRequest) -> BTreeMap<String, String> {
-    let model = simulation.model();
-    [
-        ("version", env!("CARGO_PKG_VERSION").to_owned()),
-        ("scene", request.scene_name.to_owned()),
-        ("title", request.scene_title.to_owned()),
-        ("scene_hash", request.scene_hash.to_owned()),
-        ("seed", model.setup().seed.to_string()),
-        ("threads", simulation.threads().to_string()),
-        ("step_s", model.time_step().seconds.to_string()),
-        ("step_reason", model.time_step().reason.clone()),
-    ]
-    .map(|(key, value)| (key.to_owned(), value))
-    .into()
-}
-
-fn as_io(error: McapError) -> io::Error {
-    match error {
-        McapError::Io(error) => error,
-        other => io::Error::other(other),
-    }
+/// Says what it was that the system refused.
+fn without_thread(error: &io::Error) -> io::Error {
+    let message = format!("the thread that writes it cannot be started: {error}");
+    io::Error::new(error.kind(), message)
 }

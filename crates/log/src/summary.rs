@@ -1,11 +1,12 @@
 //! `summary.json`: a run in numbers.
 
+use crate::counts_before::CountsBefore;
 use crate::hit_summary::HitSummary;
 use crate::message::series;
 use crate::patches;
 use crate::profile;
 use crate::recording::RecordingTimes;
-use pelletflow_sim::{MassLedger, PatchTable, Phase, Setup, Simulation, Skipped};
+use pelletflow_sim::{MassLedger, PatchTable, Setup, Simulation, Skipped};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fs;
@@ -216,25 +217,6 @@ pub(crate) struct RunFacts<'a> {
     pub(crate) before: CountsBefore,
     pub(crate) ended: Ended,
     pub(crate) failure: Option<String>,
-}
-
-/// What a simulation had counted before the run began.
-pub(crate) struct CountsBefore {
-    /// Pellets times steps [-].
-    particle_steps: u64,
-    /// Contacts times steps [-].
-    contact_steps: u64,
-    phases: Vec<Phase>,
-}
-
-impl CountsBefore {
-    pub(crate) fn of(simulation: &Simulation) -> Self {
-        Self {
-            particle_steps: simulation.particle_steps(),
-            contact_steps: simulation.contact_statistics().contact_steps,
-            phases: simulation.phases(),
-        }
-    }
 }
 
 /// Version of the summary's keys [-].

@@ -1,12 +1,13 @@
 //! The hardest hits of a run, told in words.
 
 use pelletflow_sim::{Hit, HitPartner};
+use serde::{Deserialize, Serialize};
 
 /// How many are marked [-].
 pub(crate) const MARKED: usize = 20;
 
 /// The hardest hits so far, the hardest first.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct WorstHits {
     most: usize,
     hits: Vec<Hit>,

@@ -65,6 +65,7 @@ pub(crate) fn from_run(py: Python<'_>, error: &RunError) -> PyErr {
             raised.set_cause(py, Some(cause.into()));
             raised
         }
+        RunError::Folder(_) => raised(py, "OutputError", (message,)),
     }
 }
 

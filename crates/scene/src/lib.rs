@@ -5,6 +5,7 @@
 //! A scene goes through three gates, each of which reports every mistake that it finds:
 //! the schema (`walk`), the tables against each other (`resolve`), and the physics ([`pelletflow_sim::Model::new`]).
 
+mod difference;
 mod draft;
 mod expect;
 mod key_path;
@@ -27,6 +28,7 @@ mod template;
 mod units;
 mod walk;
 
+pub use difference::{Difference, differences};
 pub use expect::{ExpectationOutcome, Expectations};
 pub use lab_sheet::{LabSheet, LabSheetError};
 pub use measure::{MeasureError, measure};

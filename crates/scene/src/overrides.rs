@@ -2,6 +2,7 @@
 
 use crate::key_path::KeyPath;
 use crate::mistakes::Findings;
+use std::fmt;
 use std::str::FromStr;
 use toml_edit::{DocumentMut, Item, Key, Table, Value};
 
@@ -49,6 +50,12 @@ impl FromStr for Override {
                 let key = text.split('=').next().unwrap_or_default();
                 OverrideError::NotAKey(key.into())
             })
+    }
+}
+
+impl fmt::Display for Override {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}={}", self.key, self.value.to_string().trim())
     }
 }
 

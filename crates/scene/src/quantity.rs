@@ -97,6 +97,8 @@ quantities! {
     Moment: Time, NotNegative;
     /// A span of time [s].
     Duration: Time, Positive;
+    /// A span of time that may be nothing [s].
+    Pause: Time, NotNegative;
     /// A mass [kg].
     Mass: Mass, Positive;
     /// A velocity along an axis [m/s].

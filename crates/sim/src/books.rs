@@ -3,9 +3,10 @@
 use crate::ledger::{ContactStatistics, PelletTally};
 use crate::model::Model;
 use pelletflow_core::Vec3;
+use serde::{Deserialize, Serialize};
 
 /// Mass, energy and contacts so far.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Books {
     /// Put in by fills and inlets.
     pub inserted: PelletTally,
@@ -30,7 +31,7 @@ pub struct Books {
 }
 
 /// Energies at the start of the last step, and sums over the steps [J].
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct EnergyBooks {
     /// Of motion and spin [J].
     pub kinetic: f64,

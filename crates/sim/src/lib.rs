@@ -20,6 +20,7 @@ pub mod setup;
 pub mod simulation;
 pub mod size;
 pub mod skipped;
+pub mod snapshot;
 pub mod state;
 pub mod time_step;
 pub mod wall;
@@ -68,6 +69,7 @@ pub use setup::{
 pub use simulation::{Phase, Simulation, WallView};
 pub use size::SizeDistribution;
 pub use skipped::Skipped;
+pub use snapshot::{RestoreError, Snapshot};
 pub use state::{Pellets, Row, State};
 pub use time_step::{StepRequest, TimeStep};
 pub use wall::Wall;

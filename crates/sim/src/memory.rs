@@ -9,10 +9,11 @@ use crate::model::Model;
 use crate::state::Row;
 use pelletflow_core::contact::Batch;
 use pelletflow_core::{ContactHistory, ContactLaws, Vec3};
+use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
 /// What every listed contact remembers, in half a cache line.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct ContactMemory {
     /// Elastic tangential displacement of the pellet relative to its partner, times the root of its stiffness [√J].
     pub tangential_stretch: [f64; 3],
@@ -25,7 +26,7 @@ pub struct ContactMemory {
 const _: () = assert!(size_of::<ContactMemory>() == size_of::<Row>());
 
 /// The memories of a list of contacts.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct ContactMemories {
     /// What every contact remembers.
     pub rows: Vec<ContactMemory>,

@@ -11,6 +11,8 @@ pub struct RunPlan {
     pub frame_interval: f64,
     /// Time between recorded meter readings [s].
     pub meter_interval: f64,
+    /// Time by the wall clock between checkpoints [s]; infinite where only an interruption writes one.
+    pub checkpoint_interval: f64,
 }
 
 /// What ends a run before its time.

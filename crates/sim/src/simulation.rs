@@ -100,17 +100,34 @@ impl Simulation {
             workspace,
             pool,
         } = self;
-        let mut run = || {
+        let run = || {
             let mut left = steps;
             while left > 0 {
                 left -= step(model, state, workspace, left)?;
             }
             Ok(())
         };
-        match pool {
-            Some(pool) => pool.install(run),
-            None => run(),
+        within(pool.as_ref(), run)
+    }
+
+    /// The three owners of data put together.
+    pub(crate) fn of_parts(
+        model: Model,
+        state: State,
+        workspace: Workspace,
+        pool: Option<ThreadPool>,
+    ) -> Self {
+        Self {
+            model,
+            state,
+            workspace,
+            pool,
         }
+    }
+
+    /// The scratch.
+    pub(crate) fn workspace(&self) -> &Workspace {
+        &self.workspace
     }
 
     /// The model.
@@ -269,10 +286,18 @@ impl Simulation {
 }
 
 /// A pool of a number of threads, 0 meaning one per core; none where that is one.
-fn start_threads(threads: usize) -> Result<Option<ThreadPool>, ThreadPoolBuildError> {
+pub(crate) fn start_threads(threads: usize) -> Result<Option<ThreadPool>, ThreadPoolBuildError> {
     if threads == 1 {
         return Ok(None);
     }
     let pool = ThreadPoolBuilder::new().num_threads(threads).build()?;
     Ok((pool.current_num_threads() > 1).then_some(pool))
+}
+
+/// Does some work on the threads of a pool, or here where there is none.
+pub(crate) fn within<R: Send>(pool: Option<&ThreadPool>, work: impl FnOnce() -> R + Send) -> R {
+    match pool {
+        Some(pool) => pool.install(work),
+        None => work(),
+    }
 }

@@ -7,6 +7,7 @@ use crate::meter::Record;
 use crate::model::Model;
 use crate::workspace::NextRows;
 use pelletflow_core::Vec3;
+use serde::{Deserialize, Serialize};
 
 /// Three components and one companion, so that a pellet's share of an array is one half of a cache line.
 pub type Row = [f64; 4];
@@ -24,7 +25,7 @@ pub(crate) fn row(vector: Vec3, companion: f64) -> Row {
 }
 
 /// Everything that a step changes and that the next one needs.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct State {
     /// Steps taken [-].
     pub step: u64,
@@ -49,7 +50,7 @@ pub struct State {
 }
 
 /// Pellets as columns; one index is one pellet.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Pellets {
     /// Permanent number [-].
     pub id: Vec<u32>,
@@ -72,7 +73,7 @@ pub struct Pellets {
 }
 
 /// What the contacts of one chunk remember.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct ChunkContacts {
     /// With other pellets.
     pub pellet: ContactMemories,

@@ -1,9 +1,10 @@
 //! One topic of a recording.
 
+use super::writer::MessageWriter;
 use foxglove::messages::{FrameTransforms, Log, PointCloud, SceneUpdate};
 use foxglove::{Encode, Schema};
+use mcap::McapResult;
 use mcap::records::MessageHeader;
-use mcap::{McapResult, Writer};
 use prost::Message;
 use std::collections::BTreeMap;
 use std::io::{Seek, Write};
@@ -26,7 +27,7 @@ pub(super) enum Foxglove {
 
 /// Opens a topic of a message type that viewers know.
 pub(super) fn channel_for<W: Write + Seek>(
-    writer: &mut Writer<W>,
+    writer: &mut MessageWriter<W>,
     topic: &str,
     kind: Foxglove,
 ) -> McapResult<Channel> {
@@ -42,7 +43,7 @@ pub(super) fn channel_for<W: Write + Seek>(
 
 impl Channel {
     pub(super) fn open<W: Write + Seek>(
-        writer: &mut Writer<W>,
+        writer: &mut MessageWriter<W>,
         topic: &str,
         schema: &Schema,
     ) -> McapResult<Self> {
@@ -58,7 +59,7 @@ impl Channel {
     /// Writes a message at a log time [ns].
     pub(super) fn write<W: Write + Seek>(
         &mut self,
-        writer: &mut Writer<W>,
+        writer: &mut MessageWriter<W>,
         time: u64,
         message: &impl Message,
     ) -> McapResult<()> {
@@ -68,7 +69,7 @@ impl Channel {
     /// Writes the bytes of a message at a log time [ns].
     pub(super) fn write_bytes<W: Write + Seek>(
         &mut self,
-        writer: &mut Writer<W>,
+        writer: &mut MessageWriter<W>,
         time: u64,
         bytes: &[u8],
     ) -> McapResult<()> {
@@ -79,6 +80,6 @@ impl Channel {
             publish_time: time,
         };
         self.count += 1;
-        writer.write_to_known_channel(&header, bytes)
+        writer.write_message(&header, bytes)
     }
 }

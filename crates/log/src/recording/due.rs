@@ -1,7 +1,9 @@
 //! When something that recurs is due.
 
+use serde::{Deserialize, Serialize};
+
 /// Evenly spaced moments, each met at the step nearest to it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Due {
     interval: f64,
     step: f64,

@@ -1,10 +1,13 @@
 //! The recording: one MCAP file, its channels, when they are written, and the thread that does.
 
+mod carry;
 mod channel;
 mod due;
 mod frame;
 mod recorder;
+mod writer;
 
+pub(crate) use carry::{CarryError, Mark};
 pub(crate) use due::Due;
 pub(crate) use frame::{DrawnPellet, Frame};
 pub(crate) use recorder::{Entry, Recorder, RecordingTimes, Stopped};
@@ -16,11 +19,12 @@ use crate::message::{hits, nanoseconds, pellets, series, spheres, transforms, wo
 use crate::worst_hits::in_words;
 use channel::{Channel, Foxglove, channel_for};
 use mcap::records::Metadata;
-use mcap::{Attachment, Compression, McapResult, WriteOptions, Writer};
+use mcap::{Attachment, Compression, McapResult, WriteOptions};
 use pelletflow_sim::{Hit, HitClass, HitClassKey, MeterReading, Setup};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::io::{Seek, Write};
+use writer::MessageWriter;
 
 /// Bytes of messages before they are compressed and written [B].
 const CHUNK_BYTES: u64 = 4 * 1024 * 1024;
@@ -42,7 +46,7 @@ pub(crate) struct Title<'a> {
 
 /// A recording being written.
 pub(crate) struct Recording<W: Write + Seek> {
-    writer: Writer<W>,
+    writer: MessageWriter<W>,
     equipment: Equipment,
     wall_names: Vec<String>,
     has_moving_walls: bool,
@@ -86,7 +90,8 @@ impl<W: Write + Seek> Recording<W> {
             .compression_threads(0)
             .chunk_size(Some(CHUNK_BYTES))
             .library(format!("pelletflow {}", env!("CARGO_PKG_VERSION")))
-            .create(writer)?;
+            .create(writer)
+            .map(MessageWriter::new)?;
         writer.write_metadata(&Metadata {
             name: "pelletflow.run".into(),
             metadata: title.facts.clone(),
@@ -259,7 +264,7 @@ impl<W: Write + Seek> Recording<W> {
 
 /// Opens the topics of hits and says what goes with them, if the run follows them.
 fn hit_channels<W: Write + Seek>(
-    writer: &mut Writer<W>,
+    writer: &mut MessageWriter<W>,
     setup: &Setup,
 ) -> McapResult<Option<HitChannels>> {
     let Some(request) = &setup.hits else {
@@ -284,7 +289,7 @@ fn hit_channels<W: Write + Seek>(
 
 /// Writes a message of our own, whose channel is made when the first one shows its fields.
 fn write_row<W: Write + Seek>(
-    writer: &mut Writer<W>,
+    writer: &mut MessageWriter<W>,
     channel: &mut Option<Channel>,
     (topic, kind): (&str, &str),
     time: u64,

@@ -4,9 +4,11 @@
 //! Where none is free the run waits: a slow disk slows it, and never grows it.
 
 use super::{Frame, Recording};
+use crate::checkpoint::Save;
 use crate::message::event::Gravity;
 use mcap::McapResult;
 use pelletflow_sim::{Hit, HitClass, HitClassKey, MeterReading};
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::io::{self, Seek, Write};
 use std::panic;
@@ -48,6 +50,8 @@ pub(crate) enum Entry {
     },
     /// A file cut off from now on is to be whole up to here.
     Flush,
+    /// The run as it is now, to be written beside the recording once the disk holds that up to here.
+    Checkpoint(Box<Save>),
 }
 
 /// The thread takes nothing any more; [`Recorder::finish`] tells why.
@@ -55,7 +59,7 @@ pub(crate) enum Entry {
 pub(crate) struct Stopped;
 
 /// What recording took so far.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub(crate) struct RecordingTimes {
     /// The run copied what is recorded.
     pub(crate) copying: Duration,
@@ -63,6 +67,17 @@ pub(crate) struct RecordingTimes {
     pub(crate) waiting: Duration,
     /// The thread encoded, compressed and wrote, while the run went on.
     pub(crate) writing: Duration,
+}
+
+impl RecordingTimes {
+    /// What two parts of a run took together.
+    pub(crate) fn and(self, other: Self) -> Self {
+        Self {
+            copying: self.copying + other.copying,
+            waiting: self.waiting + other.waiting,
+            writing: self.writing + other.writing,
+        }
+    }
 }
 
 /// A recording that a thread of its own writes.
@@ -143,7 +158,7 @@ fn write<W: Write + Seek>(
     let mut written = Ok(());
     for entry in entries {
         let began = Instant::now();
-        written = put_down(&mut recording, entry, blanks);
+        written = put_down(&mut recording, entry, blanks, writing);
         writing += began.elapsed();
         if written.is_err() {
             break;
@@ -158,6 +173,7 @@ fn put_down<W: Write + Seek>(
     recording: &mut Recording<W>,
     entry: Entry,
     blanks: &SyncSender<Box<Frame>>,
+    writing: Duration,
 ) -> McapResult<()> {
     match entry {
         Entry::Frame(mut frame) => {
@@ -178,6 +194,10 @@ fn put_down<W: Write + Seek>(
             text,
         } => recording.event(time, gravity, &text),
         Entry::Flush => recording.flush(),
+        Entry::Checkpoint(save) => {
+            recording.flush()?;
+            Ok(save.write(recording.mark(), writing)?)
+        }
     }
 }
 

@@ -164,6 +164,7 @@ pub(crate) fn plan(end_time: f64) -> RunPlan {
         stop: Vec::new(),
         frame_interval: 0.01,
         meter_interval: 0.005,
+        checkpoint_interval: f64::INFINITY,
     }
 }
 

@@ -3,6 +3,7 @@
 use super::{OutputOptions, Resolver};
 use crate::key_path::KeyPath;
 use crate::number::show;
+use crate::quantity::Pause;
 use crate::spec::header::{ContactSpec, NormalSpec, SearchSpec, TangentialSpec, TurningSpec};
 use crate::spec::run::IntegratorSpec;
 use crate::spec::run::{LimitsSpec, SkipSpec};
@@ -31,6 +32,9 @@ const READINGS: f64 = 1000.0;
 
 /// Most frames or readings of a recording [-].
 const MOST_RECORDS: f64 = 1.0e6;
+
+/// Time by the wall clock between checkpoints where nothing is said [s].
+const CHECKPOINT_INTERVAL: f64 = 600.0;
 
 /// Force from which on every hit is recorded in full, over the load that breaks a pellet [-].
 const NOTEWORTHY_SHARE: f64 = 0.1;
@@ -107,6 +111,7 @@ impl Resolver<'_> {
             stop: self.stop(),
             frame_interval,
             meter_interval,
+            checkpoint_interval: checkpoint_interval(spec.output.checkpoint_interval),
         }
     }
 
@@ -155,6 +160,15 @@ impl Resolver<'_> {
         OutputOptions {
             spheres_up_to: self.spec.output.spheres_up_to.unwrap_or(SPHERES_UP_TO),
         }
+    }
+}
+
+/// Time by the wall clock between checkpoints [s]; no time stands for none.
+fn checkpoint_interval(asked: Option<Pause>) -> f64 {
+    match asked {
+        None => CHECKPOINT_INTERVAL,
+        Some(Pause(interval)) if interval > 0.0 => interval,
+        Some(_) => f64::INFINITY,
     }
 }
 

@@ -1,6 +1,6 @@
 //! `[time]`, `[stop]`, `[output]`, `[limits]` and `[skip]`.
 
-use crate::quantity::{Duration, Force, Moment, Share, Speed};
+use crate::quantity::{Duration, Force, Moment, Pause, Share, Speed};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -58,6 +58,9 @@ pub(crate) struct OutputSpec {
     /// Greatest normal force from which on every hit is recorded in full [N]; a tenth of the strength's load where none
     /// is given. Hits harder than all before them of a pellet are recorded in any case.
     pub(crate) hits_above: Option<Force>,
+    /// Time by the wall clock between checkpoints, from which a run that was killed can be resumed [s]; 10 min where none is
+    /// given, and 0 where only an interruption is to write one.
+    pub(crate) checkpoint_interval: Option<Pause>,
 }
 
 /// When the run counts as failed.

@@ -1,6 +1,7 @@
 //! The ledger of all hits: exact counts and sums of all, rows of those that matter.
 
 use super::{Hit, HitPartner};
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// What is kept of the hits of a run.
@@ -15,7 +16,7 @@ pub struct HitRequest {
 const CLASSES_PER_OCTAVE: f64 = 8.0;
 
 /// Hits with one partner and of nearly the same force.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct HitClassKey {
     /// Index of the wall; none where the partner is a pellet.
     pub wall: Option<usize>,
@@ -24,7 +25,7 @@ pub struct HitClassKey {
 }
 
 /// What the hits of one class did together.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct HitClass {
     /// How many [-].
     pub count: u64,
@@ -45,7 +46,7 @@ pub struct HitClass {
 /// A row is kept of a hit that reaches the threshold, and of one that is harder than every hit before it of one of its
 /// pellets: what decides whether a pellet of any strength breaks. A pellet makes about as many of these as the
 /// logarithm of its hits, so that memory is bounded.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct HitLedger {
     classes: BTreeMap<HitClassKey, HitClass>,
     rows: Vec<Hit>,

@@ -17,9 +17,10 @@ pub(crate) use trace::follow;
 
 use pelletflow_core::Vec3;
 use pelletflow_impact::yielding::yielded_force;
+use serde::{Deserialize, Serialize};
 
 /// One contact of a pellet, from first touch to release or to the end of the run.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Hit {
     /// Permanent number of the pellet [-].
     pub pellet: u32,
@@ -72,7 +73,7 @@ pub struct Hit {
 }
 
 /// What a pellet met.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum HitPartner {
     /// Another pellet.
     Pellet {
@@ -88,7 +89,7 @@ pub enum HitPartner {
 }
 
 /// What made the force of a hit.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub enum Cause {
     /// The pellet's own arrival at a wall.
     Drop,

@@ -8,9 +8,10 @@ use crate::memory::ContactMemories;
 use crate::model::Model;
 use pelletflow_core::Vec3;
 use pelletflow_core::contact::Batch;
+use serde::{Deserialize, Serialize};
 
 /// What a contact has done since first touch, in one cache line; empty where there is none.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 #[repr(align(64))]
 pub struct Trace {
     /// Greatest normal force of any one step [N].

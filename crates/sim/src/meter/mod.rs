@@ -28,6 +28,8 @@ use crate::state::State;
 use crate::wall::WallNow;
 use pelletflow_core::Vec3;
 use registry::registry;
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
 use std::fmt::Debug;
 
 registry! {
@@ -75,7 +77,7 @@ pub(crate) type Values = Vec<(&'static str, f64)>;
 /// One way of measuring; what it does not need it leaves out.
 pub(crate) trait Instrument {
     /// What it gathers.
-    type Record: Debug + Clone + PartialEq + Default;
+    type Record: Debug + Clone + PartialEq + Default + Serialize + DeserializeOwned;
 
     /// Name in scenes.
     const NAME: &'static str;

@@ -2,6 +2,7 @@
 
 use super::touch::WallTouch;
 use pelletflow_core::{Pose, Vec3};
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// How deep under the surface a contact is put to its cell, over the width of a cell [-]: a face that lies in a plane
@@ -12,7 +13,7 @@ const DEPTH: f64 = 1.0e-3;
 type Cell = [i64; 3];
 
 /// What each patch received; only patches that received something take room.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Patches<T>(BTreeMap<Cell, T>);
 
 /// What each patch of a wall received, the worst first.

@@ -10,6 +10,7 @@ use crate::model::Model;
 use crate::setup::Setup;
 use crate::state::{Row, State, vector};
 use pelletflow_core::{UnitVector3, Vec3};
+use serde::{Deserialize, Serialize};
 
 /// Mass and pellets that pass a plane or a disc of it, by direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,7 +24,7 @@ pub struct PlaneFlow {
 }
 
 /// What has passed, and who may pass next.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Crossings {
     forward: PelletTally,
     backward: PelletTally,
@@ -35,7 +36,7 @@ pub(crate) struct Crossings {
 }
 
 /// A pellet near the plane.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 struct Near {
     /// Place in storage.
     index: usize,

@@ -13,7 +13,7 @@ macro_rules! registry {
         }
 
         /// What a meter has gathered so far.
-        #[derive(Debug, Clone, PartialEq)]
+        #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
         pub(crate) enum Record {
             $($meter(<$meter as Instrument>::Record),)*
         }
@@ -51,6 +51,14 @@ macro_rules! registry {
         }
 
         impl Record {
+            /// Whether it is what a meter of this kind gathers.
+            pub(crate) fn is_of(&self, kind: &MeterKind) -> bool {
+                match (kind, self) {
+                    $((MeterKind::$meter(_), Self::$meter(_)) => true,)*
+                    _ => false,
+                }
+            }
+
             fn list(&mut self, kind: &MeterKind, model: &Model, state: &State) {
                 match (kind, self) {
                     $((MeterKind::$meter(meter), Self::$meter(record)) => meter.list(record, model, state),)*

@@ -6,6 +6,7 @@ use super::{Instrument, Values, Watched};
 use crate::model::Model;
 use crate::setup::Setup;
 use crate::state::State;
+use serde::{Deserialize, Serialize};
 
 /// Impacts on one wall and their energy, patch by patch.
 ///
@@ -22,7 +23,7 @@ pub struct WallImpacts {
 }
 
 /// Impacts of one patch or of all.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Impacts {
     count: u64,
     /// Of the motion along the normal [J].

@@ -14,6 +14,7 @@ use super::{Instrument, Values, Watched};
 use crate::model::Model;
 use crate::setup::Setup;
 use crate::state::State;
+use serde::{Deserialize, Serialize};
 
 /// Wear of one wall by impacts and by sliding, patch by patch.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,7 +32,7 @@ pub struct Wear {
 }
 
 /// Wear of one patch or of all.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Worn {
     /// By sliding [m³].
     sliding: f64,

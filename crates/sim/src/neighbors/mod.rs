@@ -67,8 +67,7 @@ pub(crate) fn search(model: &Model, state: &mut State, workspace: &mut Workspace
         workspace.is_parallel,
         chunk::ranges(count).collect(),
         |range| {
-            let mut list = list_partners(&search, &range);
-            walls.list(positions, &range, &mut list);
+            let list = list_near(&search, &walls, positions, &range);
             let contacts = old.carry(model, &list, &order, &range);
             (list, contacts)
         },
@@ -98,11 +97,27 @@ fn searcher<'a>(model: &Model, positions: &'a [Row], skin: f64) -> Search<'a> {
     }
 }
 
-fn list_partners(search: &Search, range: &Range<usize>) -> ChunkList {
+/// Makes the lists of the last search again, with the walls where they were then.
+///
+/// They follow from where the pellets were and from the skin, so that a restart needs none of them.
+pub(crate) fn list_again(model: &Model, state: &State, workspace: &mut Workspace) {
+    let positions = &state.searched_position;
+    let search = searcher(model, positions, state.skin);
+    let walls = Walls::new(model, &workspace.walls, state.skin);
+    workspace.lists = chunk::map(
+        workspace.is_parallel,
+        chunk::ranges(positions.len()).collect(),
+        |range| list_near(&search, &walls, positions, &range),
+    );
+}
+
+/// The list of one chunk.
+fn list_near(search: &Search, walls: &Walls, positions: &[Row], range: &Range<usize>) -> ChunkList {
     let mut list = ChunkList {
         offsets: vec![0],
         ..ChunkList::default()
     };
     search.list(range, &mut list.offsets, &mut list.partners);
+    walls.list(positions, range, &mut list);
     list
 }
