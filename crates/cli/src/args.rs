@@ -5,6 +5,7 @@ pub(crate) mod card;
 pub(crate) mod hit;
 pub(crate) mod impact;
 pub(crate) mod quantity;
+pub(crate) mod report;
 pub(crate) mod safe_speed;
 pub(crate) mod score;
 
@@ -15,6 +16,7 @@ use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
 use impact::ImpactArguments;
 use pelletflow_scene::{Override, TEMPLATES};
+use report::ReportArguments;
 use safe_speed::{MaterialsArguments, SafeSpeedArguments};
 use score::ScoreArguments;
 use std::path::PathBuf;
@@ -25,6 +27,7 @@ Examples:
   pelletflow check hopper.toml           find every mistake; show what a run will do
   pelletflow run hopper.toml             run it; results go to out/hopper
   pelletflow inspect out/hopper/run.mcap show what the recording holds
+  pelletflow report out/hopper/run.mcap  write it as a page: plots, hits and a replay in space
   pelletflow score out/hopper/run.mcap --strength 2kN   tell which pellets break, where and by what
   pelletflow impact --figure 2           follow one hit, from 1 to 8 m/s, as in the paper
   pelletflow safe-speed --pellet fired-pellet --strength 2kN   tell how fast pellets may arrive
@@ -67,6 +70,8 @@ pub(crate) enum Command {
     Inspect(InspectArguments),
     /// Tell which of the recorded hits break pellets of a strength: how many, where, and by what.
     Score(ScoreArguments),
+    /// Write a recording as a page that opens in any browser: plots, hits and a replay in space.
+    Report(ReportArguments),
     /// Follow one hit from first touch to release: force, time, pressure and the curves fitted to them.
     Impact(Box<ImpactArguments>),
     /// Tell how fast pellets may arrive before a share of them breaks.

@@ -8,6 +8,7 @@ pub mod accuracy;
 mod course;
 mod ending;
 mod error;
+pub mod figures;
 mod frames;
 mod hit_summary;
 mod hits;
@@ -18,8 +19,10 @@ mod output;
 mod patches;
 pub mod plot;
 mod profile;
+mod provenance;
 mod recording;
 mod records;
+mod report;
 mod run;
 mod summary;
 pub mod surface;
@@ -30,8 +33,9 @@ pub use frames::{FrameRecord, Frames, PelletRecord, read_attachment, read_frames
 pub use hit_summary::HitSummary;
 pub use hits::{RecordedHits, read_hits};
 pub use inspect::{AttachmentInspection, ChannelInspection, Inspection, inspect};
-pub use plot::{Axis, Chart, ChartError, Scale, Series, SeriesStyle};
+pub use plot::{Axis, Chart, ChartError, Drawing, Scale, Series, SeriesStyle};
 pub use profile::{PhaseCost, Profile};
+pub use report::{Report, ReportCheck, ReportRequest, report};
 pub use run::{Progress, RunRequest, run};
 pub use summary::{
     BodySummary, ContactSummary, Ended, EnergySummary, MassSummary, MeterSummary, PatchSummary,

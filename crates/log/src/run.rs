@@ -5,6 +5,7 @@ use crate::error::RunError;
 use crate::layout::layout;
 use crate::output::Output;
 use crate::patches;
+use crate::provenance::{FORMAT, FORMAT_KEY};
 use crate::recording::{Recorder, Recording, Title};
 use crate::summary::{CountsBefore, Ended, RunFacts, Summary};
 use mcap::McapError;
@@ -157,6 +158,7 @@ fn start(
 fn facts(simulation: &Simulation, request: &RunRequest) -> BTreeMap<String, String> {
     let model = simulation.model();
     [
+        (FORMAT_KEY, FORMAT.to_string()),
         ("version", env!("CARGO_PKG_VERSION").to_owned()),
         ("scene", request.scene_name.to_owned()),
         ("title", request.scene_title.to_owned()),

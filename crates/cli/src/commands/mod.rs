@@ -9,6 +9,7 @@ pub(crate) mod impact;
 pub(crate) mod inspect;
 pub(crate) mod materials;
 pub(crate) mod new;
+pub(crate) mod report;
 pub(crate) mod run;
 pub(crate) mod safe_speed;
 pub(crate) mod schema;

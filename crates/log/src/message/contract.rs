@@ -83,6 +83,20 @@ fn the_first_value_of_a_row_is_read_back_and_another_message_has_none() {
     assert_eq!(series::first_value(&cloud), None);
 }
 
+#[test]
+fn a_row_is_read_back_with_its_names_and_another_message_is_not() {
+    let row = [("mass_flow_kg_per_s", 4.5), ("mass_kg", -0.25)];
+    let schema = series::schema("mass-flow", &row);
+    let names = series::names(&schema.data).expect("a schema of ours");
+    assert_eq!(names, ["mass_flow_kg_per_s", "mass_kg"]);
+    let bytes = series::encode(&row);
+    assert_eq!(series::decode(&bytes), Some(vec![4.5, -0.25]));
+    assert_eq!(series::decode(&bytes[..12]), None);
+    let cloud = pellets::message(0.0, &[pellet(1, 1.0)]).encode_to_vec();
+    assert_eq!(series::decode(&cloud), None);
+    assert_eq!(series::names(b"no schema"), None);
+}
+
 fn hit(partner: HitPartner, cause: Cause) -> Hit {
     // Each value is its own, and one that single precision holds.
     Hit {

@@ -5,8 +5,10 @@
 
 use super::own;
 use foxglove::Schema;
+use foxglove::prost_types::FileDescriptorSet;
 use foxglove::prost_types::field_descriptor_proto::{Label, Type};
 use pelletflow_sim::{EnergyLedger, MassLedger, MeterReading};
+use prost::Message;
 
 /// Wire type of a `double` in a protobuf tag.
 const EIGHT_BYTES: u64 = 1;
@@ -36,6 +38,31 @@ pub(crate) fn first_value(bytes: &[u8]) -> Option<f64> {
     let tag = prost::encoding::decode_varint(&mut rest).ok()?;
     let value = rest.get(..8)?.try_into().ok()?;
     (tag == 1 << 3 | EIGHT_BYTES).then(|| f64::from_le_bytes(value))
+}
+
+/// Names of the values of a message, in their order, from its schema; none where that is not one of ours.
+pub(crate) fn names(schema: &[u8]) -> Option<Vec<String>> {
+    let files = FileDescriptorSet::decode(schema).ok()?;
+    let message = files.file.into_iter().next()?.message_type.pop()?;
+    let fields = message.field.into_iter().zip(1..);
+    fields
+        .map(|(field, number)| (field.number == Some(number)).then_some(field.name)?)
+        .collect()
+}
+
+/// The values of a message that [`encode`] made, in the order of the schema; none where it has another form.
+pub(crate) fn decode(bytes: &[u8]) -> Option<Vec<f64>> {
+    let mut rest = bytes;
+    let mut values = Vec::new();
+    while !rest.is_empty() {
+        let tag = prost::encoding::decode_varint(&mut rest).ok()?;
+        let value = rest.split_off(..8)?.try_into().ok()?;
+        values.push(f64::from_le_bytes(value));
+        if tag != (values.len() as u64) << 3 | EIGHT_BYTES {
+            return None;
+        }
+    }
+    Some(values)
 }
 
 /// `mass-flow` becomes `MassFlow`.
