@@ -6,6 +6,7 @@ mod oracle;
 
 use common::{GRAVITY, RADIUS, floor, one, setup, simulation, simulation_on, smooth, wall};
 use oracle::Oracle;
+use pelletflow::core::contact::NormalLaw;
 use pelletflow::core::{MaterialPair, PairProperties, Shape, Vec3};
 use pelletflow::impact::{Damping, ElasticImpact, Impact};
 use pelletflow::sim::{
@@ -339,4 +340,26 @@ fn every_row_of_a_flow_is_what_following_its_contact_alone_gives() {
         "{between_steps} of {}",
         hits.len()
     );
+}
+
+#[test]
+fn a_hit_that_yields_has_the_force_that_its_row_tells_for_that_yield_pressure() {
+    for speed in [0.5, 2.0, 5.0] {
+        let (elastic, _) = hit_alone(1.0, speed, Against::Floor, 0.35);
+        for share in [0.9, 0.5, 0.25] {
+            let yield_pressure = share * elastic.peak_pressure;
+            let properties = PairProperties {
+                yield_pressure: Some(yield_pressure),
+                ..smooth(1.0)
+            };
+            let mut setup = setup(properties, properties);
+            setup.laws.normal = NormalLaw::Plastic;
+            let (hit, _) = hit_of(setup, 1.0, speed, Against::Floor, 0.35);
+            let told = elastic.yielded_force(yield_pressure);
+            let error = (hit.peak_force / told - 1.0).abs();
+            // The peak of a straight line is sampled, not followed.
+            assert!(error < 1.0e-3, "{speed} m/s, {share}: {error:.5}");
+            assert!(told < elastic.peak_force);
+        }
+    }
 }

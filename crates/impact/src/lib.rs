@@ -25,6 +25,7 @@ pub mod scatter;
 pub mod score;
 mod share_band;
 pub mod strength;
+pub mod yielding;
 
 pub use arrival::Arrival;
 pub use crush_test::{CrushFit, CrushTest};
@@ -40,5 +41,5 @@ pub use interval::Interval;
 pub use oblique::{Approach, ObliqueSample, Rebound, Slip};
 pub use safe_speed::SafeSpeed;
 pub use scatter::{Scatter, ScatterLaw};
-pub use score::{Blow, Score, StrengthLaw, score};
+pub use score::{Blow, Chance, Score, StrengthLaw, score};
 pub use strength::Strength;

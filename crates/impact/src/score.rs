@@ -16,7 +16,7 @@
 //! let blow = |force| Blow { pellet: 7, diameter: 0.012, mass: 3.44e-3, force, energy: 0.05 };
 //! let score = score(&law, &[blow(800.0), blow(500.0), blow(1200.0)])?;
 //! // The second blow is weaker than the first, and breaks nothing that has lived through that.
-//! assert_eq!(score.best[1], 0.0);
+//! assert_eq!(score.chances[1].best, 0.0);
 //! let total = score.broken();
 //! assert!((total.best - (1.0 - (-(1200.0_f64 / 2700.0).powi(4)).exp())).abs() < 1.0e-15);
 //! assert!(total.low < total.best && total.best < total.high);
@@ -29,6 +29,8 @@ use crate::fracture_energy::FractureEnergy;
 use crate::interval::Interval;
 use crate::share_band::ShareBand;
 use crate::strength::{LoadShares, Strength};
+use std::iter::Sum;
+use std::ops::AddAssign;
 
 /// A blow as one pellet feels it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -64,63 +66,62 @@ impl StrengthLaw {
     }
 }
 
-/// The chances of blows to break their pellets, in the order of the blows.
+/// The chance of a blow to break its pellet at that very moment, or of several that each some pellet does.
 ///
-/// One column for the strength as the test found it, and two for the weakest and the strongest pellets that the size
-/// of its sample leaves possible at [`crate::strength::CONFIDENCE`]. Each adds up by itself; of a single blow the
-/// chance of weaker pellets can be the smaller one, because an earlier blow has broken them already.
+/// Each of the three adds up by itself; of a single blow the chance of weaker pellets can be the smaller one, because
+/// an earlier blow has broken them already.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Chance {
+    /// If pellets are as strong as the test allows [-].
+    pub stronger: f64,
+    /// If they are as the test found them [-].
+    pub best: f64,
+    /// If they are as weak as the test allows [-].
+    pub weaker: f64,
+}
+
+impl Chance {
+    /// Number of pellets that break, between what the size of the sample leaves possible at
+    /// [`crate::strength::CONFIDENCE`].
+    pub fn broken(&self) -> Interval {
+        Interval {
+            low: self.stronger.min(self.best),
+            best: self.best,
+            high: self.weaker.max(self.best),
+        }
+    }
+}
+
+impl AddAssign for Chance {
+    fn add_assign(&mut self, other: Self) {
+        self.stronger += other.stronger;
+        self.best += other.best;
+        self.weaker += other.weaker;
+    }
+}
+
+impl Sum for Chance {
+    fn sum<I: Iterator<Item = Self>>(chances: I) -> Self {
+        chances.fold(Self::default(), |mut sum, chance| {
+            sum += chance;
+            sum
+        })
+    }
+}
+
+/// What blows do to pellets.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Score {
-    /// Chance of each blow if pellets are as strong as the test allows [-].
-    pub stronger: Vec<f64>,
-    /// Chance of each blow [-].
-    pub best: Vec<f64>,
-    /// Chance of each blow if pellets are as weak as the test allows [-].
-    pub weaker: Vec<f64>,
+    /// Of each blow, in their order.
+    pub chances: Vec<Chance>,
+    /// Standard deviation of the number of pellets that break, by the draw of each one's strength [-].
+    pub luck: f64,
 }
 
 impl Score {
     /// Number of pellets that all blows break; over the number of pellets, the share that breaks.
     pub fn broken(&self) -> Interval {
-        self.broken_by(0..self.best.len())
-    }
-
-    /// Number of pellets that some of the blows break, which are named by their place in the list.
-    ///
-    /// # Panics
-    ///
-    /// When there is no blow at a place.
-    pub fn broken_by(&self, blows: impl IntoIterator<Item = usize>) -> Interval {
-        let sums = blows
-            .into_iter()
-            .fold([0.0; 3], |sums, index| self.add(sums, index));
-        interval(sums)
-    }
-
-    /// Number of pellets that each group of blows breaks; `groups` names the group of each blow, from 0 on.
-    ///
-    /// # Panics
-    ///
-    /// When a group is not less than `count` [-], or there are more groups named than blows.
-    pub fn broken_by_group(&self, groups: &[usize], count: usize) -> Vec<Interval> {
-        let mut sums = vec![[0.0; 3]; count];
-        for (index, &group) in groups.iter().enumerate() {
-            sums[group] = self.add(sums[group], index);
-        }
-        sums.into_iter().map(interval).collect()
-    }
-
-    fn add(&self, sums: [f64; 3], index: usize) -> [f64; 3] {
-        let chances = [self.stronger[index], self.best[index], self.weaker[index]];
-        std::array::from_fn(|column| sums[column] + chances[column])
-    }
-}
-
-fn interval([stronger, best, weaker]: [f64; 3]) -> Interval {
-    Interval {
-        low: stronger.min(best),
-        best,
-        high: weaker.max(best),
+        self.chances.iter().copied().sum::<Chance>().broken()
     }
 }
 
@@ -143,11 +144,8 @@ pub fn score(law: &StrengthLaw, blows: &[Blow]) -> Result<Score, ImpactError> {
     let mut order: Vec<u32> =
         (0..u32::try_from(blows.len()).map_err(|_| too_many(blows))?).collect();
     order.sort_by_key(|&index| blows[index as usize].pellet);
-    let mut score = Score {
-        stronger: vec![0.0; blows.len()],
-        best: vec![0.0; blows.len()],
-        weaker: vec![0.0; blows.len()],
-    };
+    let mut chances = vec![Chance::default(); blows.len()];
+    let mut variance = 0.0;
     let mut reach = Reach::new(law);
     for life in
         order.chunk_by(|&one, &other| blows[one as usize].pellet == blows[other as usize].pellet)
@@ -160,36 +158,19 @@ pub fn score(law: &StrengthLaw, blows: &[Blow]) -> Result<Score, ImpactError> {
                 continue;
             };
             // Bounds may not fall back where pellets of several sizes would share a number.
-            score.stronger[index] = (broken.low - before.low).max(0.0);
-            score.best[index] = (broken.best - before.best).max(0.0);
-            score.weaker[index] = (broken.high - before.high).max(0.0);
+            chances[index] = Chance {
+                stronger: (broken.low - before.low).max(0.0),
+                best: (broken.best - before.best).max(0.0),
+                weaker: (broken.high - before.high).max(0.0),
+            };
             before = broken;
         }
+        variance += before.best * (1.0 - before.best);
     }
-    Ok(score)
-}
-
-/// Greatest share of pellets that blows which nobody recorded could break: `count` of them to a pellet, none stronger
-/// than `worst`.
-///
-/// For a strength against the greatest force one blow is as good as many. It bounds what is missing from a recording
-/// with a threshold: to a share found from the blows above, it adds at most this for every pellet without one.
-///
-/// # Errors
-///
-/// When the law or the blow has a quantity outside its bounds.
-pub fn bound(law: &StrengthLaw, worst: &Blow, count: u32) -> Result<Interval, ImpactError> {
-    law.validate()?;
-    worst.validate()?;
-    let mut reach = Reach::new(law);
-    let mut broken = Interval::exact(0.0);
-    for _ in 0..count {
-        match reach.broken_after(worst) {
-            Some(more) => broken = more,
-            None => break,
-        }
-    }
-    Ok(broken)
+    Ok(Score {
+        chances,
+        luck: variance.max(0.0).sqrt(),
+    })
 }
 
 impl Blow {

@@ -1,9 +1,8 @@
 //! The chances of blows to break pellets add up, are worked out fast, and count damage as the theory does.
 
 use pelletflow_impact::damage::damage;
-use pelletflow_impact::score::bound;
 use pelletflow_impact::{
-    Blow, FractureEnergy, MedianEnergy, Scatter, Score, Strength, StrengthLaw, score,
+    Blow, Chance, FractureEnergy, MedianEnergy, Scatter, Score, Strength, StrengthLaw, score,
 };
 
 const MASS: f64 = 3.44e-3;
@@ -46,6 +45,11 @@ fn scored(law: &StrengthLaw, blows: &[Blow]) -> Score {
     score(law, blows).expect("good blows")
 }
 
+/// The chance of each blow, by the strength as the test found it [-].
+fn best(score: &Score) -> Vec<f64> {
+    score.chances.iter().map(|chance| chance.best).collect()
+}
+
 /// A fixed sequence of numbers from 0 to 1 without pattern: the fractions of multiples of the golden ratio.
 fn spread(index: u32) -> f64 {
     (f64::from(index) * 0.618_033_988_749_894_9).fract()
@@ -58,11 +62,12 @@ fn the_chances_of_a_life_add_up_to_the_share_under_its_greatest_force() {
         .collect();
     let score = scored(&weibull(), &blows);
     for pellet in 0..7 {
-        let life = |index: &usize| blows[*index].pellet == pellet;
         let greatest = blows.iter().filter(|blow| blow.pellet == pellet);
         let greatest = greatest.map(|blow| blow.force).fold(0.0, f64::max);
         let exact = 1.0 - (-(greatest / 2700.0_f64).powi(4)).exp();
-        let sum = score.broken_by((0..blows.len()).filter(life)).best;
+        let life = blows.iter().zip(&score.chances);
+        let life = life.filter(|(blow, _)| blow.pellet == pellet);
+        let sum: f64 = life.map(|(_, chance)| chance.best).sum();
         // A sum of 300 differences, each rounded.
         assert!((sum - exact).abs() < 1.0e-13, "{pellet}: {sum} {exact}");
     }
@@ -77,11 +82,11 @@ fn groups_of_any_kind_add_up_to_the_total_and_so_do_their_bounds() {
         let score = scored(&law, &blows);
         let total = score.broken();
         for count in [1, 3, 11] {
-            let groups: Vec<usize> = (0..blows.len())
-                .map(|index| index * index % count)
-                .collect();
-            let parts = score.broken_by_group(&groups, count);
-            let sum: f64 = parts.iter().map(|part| part.best).sum();
+            let mut parts = vec![Chance::default(); count];
+            for (index, &chance) in score.chances.iter().enumerate() {
+                parts[index * index % count] += chance;
+            }
+            let sum: f64 = parts.iter().map(|part| part.broken().best).sum();
             assert!((sum / total.best - 1.0).abs() < 1.0e-12);
         }
         assert!(total.low < total.best && total.best < total.high && total.high <= 97.0);
@@ -92,7 +97,7 @@ fn groups_of_any_kind_add_up_to_the_total_and_so_do_their_bounds() {
 fn a_fixed_load_breaks_each_pellet_once_at_the_first_blow_that_reaches_it() {
     let law = by_load(Scatter::Fixed(1000.0), None);
     let blows = [999.0, 1000.0, 5000.0].map(|force| blow(0, force, 0.0));
-    assert_eq!(scored(&law, &blows).best, [0.0, 1.0, 0.0]);
+    assert_eq!(best(&scored(&law, &blows)), [0.0, 1.0, 0.0]);
 }
 
 #[test]
@@ -109,7 +114,7 @@ fn larger_pellets_bear_the_force_that_their_area_says() {
         diameter: 0.024,
         ..blow(0, 4.0 * 2450.0, 0.0)
     };
-    assert!((scored(&law, &[large]).best[0] - 0.5).abs() < 1.0e-12);
+    assert!((best(&scored(&law, &[large]))[0] - 0.5).abs() < 1.0e-12);
 }
 
 /// Share of two thousand strengths, each followed by itself with the exact damage, that a life breaks blow by blow.
@@ -169,7 +174,7 @@ fn damage_breaks_what_two_thousand_pellets_followed_one_by_one_break() {
                 let found = scored(&StrengthLaw::Energy(law), &blows);
                 let exact = one_by_one(&law, ratios);
                 let (mut sum, mut sum_exact) = (0.0, 0.0);
-                for (one, other) in found.best.iter().zip(&exact) {
+                for (one, other) in best(&found).iter().zip(&exact) {
                     sum += one;
                     sum_exact += other;
                     assert!(
@@ -185,35 +190,29 @@ fn damage_breaks_what_two_thousand_pellets_followed_one_by_one_break() {
 #[test]
 fn damage_adds_up_where_without_it_the_second_equal_blow_breaks_nothing() {
     let blows = [0.6; 3].map(|ratio| blow(0, 0.0, ratio * 100.0 * MASS));
-    let score = scored(&StrengthLaw::Energy(DAMAGED), &blows);
-    assert!(score.best.iter().all(|chance| *chance > 0.0));
+    let chances = best(&scored(&StrengthLaw::Energy(DAMAGED), &blows));
+    assert!(chances.iter().all(|chance| *chance > 0.0));
     // The damage of a blow that falls short by little is near 1, so that the second breaks more than the third.
-    assert!(score.best[1] > score.best[2]);
+    assert!(chances[1] > chances[2]);
     let [little, without] = [Some(1.0e3), None].map(|damage_constant| FractureEnergy {
         damage_constant,
         ..DAMAGED
     });
     // A great constant leaves the damage to blows that nearly break.
-    let score = scored(&StrengthLaw::Energy(little), &blows);
-    assert!(score.best[1] < 0.2 * score.best[0], "{:?}", score.best);
-    let score = scored(&StrengthLaw::Energy(without), &blows);
-    assert_eq!(score.best[1..], [0.0, 0.0]);
+    let chances = best(&scored(&StrengthLaw::Energy(little), &blows));
+    assert!(chances[1] < 0.2 * chances[0], "{chances:?}");
+    let chances = best(&scored(&StrengthLaw::Energy(without), &blows));
+    assert_eq!(chances[1..], [0.0, 0.0]);
 }
 
 #[test]
-fn unrecorded_blows_are_bounded_by_the_share_under_the_threshold() {
-    let worst = blow(0, 300.0, 0.01);
-    let found = bound(&weibull(), &worst, 1000).expect("a bound");
-    let exact = 1.0 - (-(300.0_f64 / 2700.0).powi(4)).exp();
-    assert!((found.best / exact - 1.0).abs() < 1.0e-12);
-    assert!(found.high > found.best);
-    // With damage, more blows break more, and a life of weaker ones is under the bound.
-    let law = StrengthLaw::Energy(DAMAGED);
-    let [once, often] = [1, 100].map(|count| bound(&law, &worst, count).expect("a bound").best);
-    let life: Vec<Blow> = (0..100)
-        .map(|index| blow(0, 0.0, 0.01 * spread(index)))
-        .collect();
-    assert!(once < often && scored(&law, &life).broken().best < often);
+fn luck_is_the_deviation_of_as_many_draws_as_there_are_pellets() {
+    // Each of 400 pellets breaks by the same chance: the number broken is binomial.
+    let blows: Vec<Blow> = (0..400).map(|pellet| blow(pellet, 2000.0, 0.0)).collect();
+    let score = scored(&weibull(), &blows);
+    let share = 1.0 - (-(2000.0_f64 / 2700.0).powi(4)).exp();
+    let exact = (400.0 * share * (1.0 - share)).sqrt();
+    assert!((score.luck / exact - 1.0).abs() < 1.0e-12, "{}", score.luck);
 }
 
 #[test]

@@ -1,10 +1,11 @@
 //! Recordings and summaries out, and recordings read back.
 //!
 //! [`run()`] drives a simulation and writes a directory: `run.mcap` opens in Lichtblick, Foxglove and Rerun,
-//! `summary.json` holds the run in numbers. [`inspect()`] and [`read_frames`] read a recording back,
+//! `summary.json` holds the run in numbers. [`inspect()`], [`read_frames`] and [`tables`] read a recording back,
 //! even one that was cut off.
 
 pub mod accuracy;
+pub mod breakage;
 mod course;
 mod ending;
 mod error;
@@ -26,8 +27,10 @@ mod report;
 mod run;
 mod summary;
 pub mod surface;
+pub mod tables;
 mod worst_hits;
 
+pub use breakage::{Breakage, BreakageRequest, breakage};
 pub use error::{ReadError, RunError};
 pub use frames::{FrameRecord, Frames, PelletRecord, read_attachment, read_frames};
 pub use hit_summary::HitSummary;
@@ -42,4 +45,5 @@ pub use summary::{
     PerformanceSummary, SkippedSummary, Summary, TallySummary, TimeSummary,
 };
 pub use surface::Mesh;
+pub use tables::{Column, Table, TableKind, Tables, Values, hits_table, read_tables};
 pub use worst_hits::WorstHits;

@@ -1,7 +1,7 @@
 //! Arguments of `pelletflow card`.
 
 use super::hit::HitArguments;
-use super::quantity::{length, plain, share};
+use super::quantity::{length, modulus, plain, share};
 use super::safe_speed::DistributionName;
 use clap::Args;
 use std::path::PathBuf;
@@ -38,6 +38,9 @@ pub(crate) struct CardArguments {
     /// Diameter of the pellets crushed, where the sheet has no column of it.
     #[arg(long, value_name = "LENGTH", value_parser = length)]
     pub(crate) test_diameter: Option<f64>,
+    /// Pressure in the middle of a contact that the pellets yield under; goes into the card.
+    #[arg(long, value_name = "PRESSURE", value_parser = modulus)]
+    pub(crate) yield_pressure: Option<f64>,
     /// Sheet of a drop test: gives the fracture energy of single blows.
     #[arg(long, value_name = "FILE")]
     pub(crate) drop: Option<PathBuf>,

@@ -96,6 +96,7 @@ fn strength_card(
         }),
         source: format!("{count} pellets crushed, {}", files.join(", ")),
         strength,
+        yield_pressure: arguments.yield_pressure,
         provenance: Some(Provenance {
             file: Some(file),
             date: sheet.date.clone(),

@@ -114,6 +114,7 @@ fn hit(partner: HitPartner, cause: Cause) -> Hit {
         peak_force: 812.5,
         sampled_force: 811.0,
         arrival_force: 900.0,
+        arrival_pressure: 1.9e7,
         peak_pressure: 2.0e7,
         normal_impulse: 0.0625,
         tangential_impulse: 0.03125,

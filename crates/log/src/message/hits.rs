@@ -3,6 +3,7 @@
 //! One column for each quantity: a row of every column is one hit, or one class.
 
 use super::own;
+use crate::tables::Column;
 use foxglove::Schema;
 use foxglove::prost_types::field_descriptor_proto::{Label, Type};
 use pelletflow_core::Vec3;
@@ -12,6 +13,8 @@ use std::collections::BTreeMap;
 
 /// What stands for a pellet where a wall is named.
 const NO_WALL: i32 = -1;
+/// What is wrong with a message whose columns are not of one length.
+const UNEQUAL_COLUMNS: &str = "its columns differ in length";
 
 /// A message of columns, and its schema, from one list of their names, types and numbers.
 macro_rules! columns {
@@ -19,7 +22,7 @@ macro_rules! columns {
         $(#[$doc])*
         #[derive(Clone, PartialEq, Message)]
         pub(crate) struct $message {
-            $(#[prost($kind, repeated, tag = $number)] $column: Vec<$type>,)*
+            $(#[prost($kind, repeated, tag = $number)] pub(crate) $column: Vec<$type>,)*
         }
 
         impl $message {
@@ -35,6 +38,16 @@ macro_rules! columns {
             fn rows(&self) -> Option<usize> {
                 let lengths = [$(self.$column.len()),*];
                 lengths.iter().all(|length| *length == lengths[0]).then_some(lengths[0])
+            }
+
+            /// What is wrong with the columns, if not all have as many rows.
+            pub(crate) fn check_rows(&self) -> Result<(), String> {
+                self.rows().map(drop).ok_or_else(|| UNEQUAL_COLUMNS.to_owned())
+            }
+
+            /// The columns by name, as they are in the message.
+            pub(crate) fn into_columns(self) -> Vec<Column> {
+                vec![$(Column::new(stringify!($column), self.$column)),*]
             }
         }
     };
@@ -90,6 +103,7 @@ columns! {
         approach_speed_m_per_s: float f32 = "24",
         sliding_speed_m_per_s: float f32 = "25",
         effective_radius_m: float f32 = "26",
+        arrival_pressure_pa: double f64 = "27",
     }
 }
 
@@ -148,13 +162,14 @@ pub(crate) fn message(hits: &[Hit]) -> Hits {
         block.approach_speed_m_per_s.push(hit.approach_speed as f32);
         block.sliding_speed_m_per_s.push(hit.sliding_speed as f32);
         block.effective_radius_m.push(hit.effective_radius as f32);
+        block.arrival_pressure_pa.push(hit.arrival_pressure);
     }
     block
 }
 
 /// The hits of a message; what is wrong with it.
 pub(crate) fn hits(block: &Hits) -> Result<Vec<Hit>, String> {
-    let rows = block.rows().ok_or("its columns differ in length")?;
+    let rows = block.rows().ok_or(UNEQUAL_COLUMNS)?;
     let cause = |row: usize| {
         let number = block.cause[row] as usize;
         let cause = Cause::ALL.get(number).copied();
@@ -188,6 +203,7 @@ pub(crate) fn hits(block: &Hits) -> Result<Vec<Hit>, String> {
                 peak_force: block.peak_force_n[row],
                 sampled_force: block.sampled_force_n[row],
                 arrival_force: block.arrival_force_n[row],
+                arrival_pressure: block.arrival_pressure_pa[row],
                 peak_pressure: block.peak_pressure_pa[row],
                 normal_impulse: block.normal_impulse_n_s[row],
                 tangential_impulse: block.tangential_impulse_n_s[row],
@@ -219,7 +235,7 @@ pub(crate) fn classes_message(classes: &BTreeMap<HitClassKey, HitClass>) -> HitC
 
 /// The sketch of a message; what is wrong with it.
 pub(crate) fn classes(block: &HitClasses) -> Result<BTreeMap<HitClassKey, HitClass>, String> {
-    let rows = block.rows().ok_or("its columns differ in length")?;
+    let rows = block.rows().ok_or(UNEQUAL_COLUMNS)?;
     Ok((0..rows)
         .map(|row| {
             let key = HitClassKey {

@@ -32,12 +32,26 @@ pub(crate) fn encode(row: &Row) -> Vec<u8> {
     bytes
 }
 
+/// The values of a message that [`encode`] made, in the order of the schema; none where it has another form.
+pub(crate) fn decode(bytes: &[u8]) -> Option<Vec<f64>> {
+    let mut rest = bytes;
+    let mut values = Vec::new();
+    while !rest.is_empty() {
+        let number = values.len() as u64 + 1;
+        let tag = prost::encoding::decode_varint(&mut rest).ok()?;
+        let (value, after) = rest.split_first_chunk()?;
+        if tag != (number << 3 | EIGHT_BYTES) {
+            return None;
+        }
+        values.push(f64::from_le_bytes(*value));
+        rest = after;
+    }
+    Some(values)
+}
+
 /// The first value of a message that [`encode`] made; none where it has another form.
 pub(crate) fn first_value(bytes: &[u8]) -> Option<f64> {
-    let mut rest = bytes;
-    let tag = prost::encoding::decode_varint(&mut rest).ok()?;
-    let value = rest.get(..8)?.try_into().ok()?;
-    (tag == 1 << 3 | EIGHT_BYTES).then(|| f64::from_le_bytes(value))
+    decode(bytes)?.first().copied()
 }
 
 /// Names of the values of a message, in their order, from its schema; none where that is not one of ours.
@@ -48,21 +62,6 @@ pub(crate) fn names(schema: &[u8]) -> Option<Vec<String>> {
     fields
         .map(|(field, number)| (field.number == Some(number)).then_some(field.name)?)
         .collect()
-}
-
-/// The values of a message that [`encode`] made, in the order of the schema; none where it has another form.
-pub(crate) fn decode(bytes: &[u8]) -> Option<Vec<f64>> {
-    let mut rest = bytes;
-    let mut values = Vec::new();
-    while !rest.is_empty() {
-        let tag = prost::encoding::decode_varint(&mut rest).ok()?;
-        let value = rest.split_off(..8)?.try_into().ok()?;
-        values.push(f64::from_le_bytes(value));
-        if tag != (values.len() as u64) << 3 | EIGHT_BYTES {
-            return None;
-        }
-    }
-    Some(values)
 }
 
 /// `mass-flow` becomes `MassFlow`.

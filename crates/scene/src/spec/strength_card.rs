@@ -1,6 +1,6 @@
 //! A strength card: what a crushing test found, and what other tests of the same pellets did.
 
-use crate::quantity::{Force, Portion, Share, Size, SpecificEnergy, Speed};
+use crate::quantity::{Force, Modulus, Portion, Share, Size, SpecificEnergy, Speed};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -33,6 +33,8 @@ pub(crate) struct StrengthCardSpec {
     /// Number of tested pellets [-].
     #[schemars(extend("minimum" = 2))]
     pub(crate) sample_size: Option<u32>,
+    /// Pressure in the middle of a contact that the pellet yields under [Pa]; left out, it stays elastic up to breakage.
+    pub(crate) yield_pressure: Option<Modulus>,
     /// How the numbers were found.
     pub(crate) provenance: Option<ProvenanceSpec>,
     /// What breaks in a blow.

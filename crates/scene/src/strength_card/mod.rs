@@ -27,6 +27,9 @@ pub struct StrengthCard {
     pub source: String,
     /// The strength.
     pub strength: Strength,
+    /// Pressure in the middle of a contact that the pellet yields under; none where it stays elastic up to breakage
+    /// [Pa].
+    pub yield_pressure: Option<f64>,
     /// How the numbers were found.
     pub provenance: Option<Provenance>,
     /// What breaks in a blow.
@@ -98,6 +101,7 @@ impl StrengthCard {
                             test_diameter: spec.test_diameter.map(|size| size.0),
                             sample_size: spec.sample_size,
                         },
+                        yield_pressure: spec.yield_pressure.map(|pressure| pressure.0),
                         provenance: spec.provenance.map(Provenance::from),
                         fracture_energy,
                         drops,
@@ -152,6 +156,7 @@ sample_size = 60
                 test_diameter: Some(0.011_25),
                 sample_size: Some(60),
             },
+            yield_pressure: Some(61.5e6),
             provenance: Some(Provenance {
                 file: Some("loads.csv".into()),
                 date: Some("2024-07-01".into()),
@@ -192,6 +197,7 @@ sample_size = 60
     fn a_card_that_is_written_reads_back_as_the_same_to_the_last_bit() {
         let full = full_card();
         let bare = StrengthCard {
+            yield_pressure: None,
             provenance: None,
             fracture_energy: None,
             drops: Vec::new(),

@@ -36,6 +36,7 @@ impl StrengthCard {
             "sample_size",
             self.strength.sample_size.map(i64::from),
         );
+        put(root, "yield_pressure", self.yield_pressure);
         if let Some(provenance) = &self.provenance {
             root.insert("provenance", Item::Table(provenance_table(provenance)));
         }

@@ -32,14 +32,16 @@ impl Arrivals {
         Self { pairs }
     }
 
-    /// Greatest force of two bodies, by material, whose arrival is that of `hit` but for their stiffness [N].
-    pub(super) fn force(&self, [a, b]: [usize; 2], hit: &ElasticImpact) -> f64 {
+    /// Greatest force [N] and pressure [Pa] of two bodies, by material, whose arrival is that of `hit` but for their
+    /// stiffness.
+    pub(super) fn force_and_pressure(&self, [a, b]: [usize; 2], hit: &ElasticImpact) -> [f64; 2] {
         let pair = &self.pairs[&[a.min(b), a.max(b)]];
         let at_true_stiffness = ElasticImpact {
             effective_youngs_modulus: pair.effective_youngs_modulus,
             ..*hit
         };
-        pair.damped_share * at_true_stiffness.peak_force()
+        let force = pair.damped_share * at_true_stiffness.peak_force();
+        [force, at_true_stiffness.pressure(force)]
     }
 }
 

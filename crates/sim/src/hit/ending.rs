@@ -175,6 +175,9 @@ fn row(model: &Model, step: u64, pellets: &Pellets, ended: &Ended) -> Hit {
         effective_mass: 1.0 / inverse_mass,
         speed: f64::from(trace.approach_speed).max(0.0),
     };
+    let [arrival_force, arrival_pressure] = model
+        .arrivals()
+        .force_and_pressure([material, other_material], &arrival);
     let peak_force = trace.peak_force();
     let first_step = step - u64::from(ended.steps);
     let time_of = |step: u64| step as f64 * time_step;
@@ -196,7 +199,8 @@ fn row(model: &Model, step: u64, pellets: &Pellets, ended: &Ended) -> Hit {
         place: trace.place(),
         peak_force,
         sampled_force: trace.sampled_force,
-        arrival_force: model.arrivals().force([material, other_material], &arrival),
+        arrival_force,
+        arrival_pressure,
         peak_pressure: arrival.pressure(peak_force),
         normal_impulse: time_step * trace.normal_forces,
         tangential_impulse: time_step * trace.tangential_forces,

@@ -16,6 +16,7 @@ pub(crate) use ending::{Ended, end_leaving, enter, open};
 pub(crate) use trace::follow;
 
 use pelletflow_core::Vec3;
+use pelletflow_impact::yielding::yielded_force;
 
 /// One contact of a pellet, from first touch to release or to the end of the run.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,6 +53,8 @@ pub struct Hit {
     /// It is the peak force of a hit of two bodies whose stiffness is not softened; the force of a hit that is squeezed
     /// hardly depends on it.
     pub arrival_force: f64,
+    /// Greatest pressure under that force, at true stiffness [Pa].
+    pub arrival_pressure: f64,
     /// Greatest pressure, in the middle of the contact under the greatest force (Johnson 1985, eq. 4.24) [Pa].
     pub peak_pressure: f64,
     /// Normal force over time [N·s].
@@ -125,6 +128,18 @@ impl Hit {
         match self.cause {
             Cause::Squeeze => self.peak_force,
             Cause::Drop | Cause::Collision => self.arrival_force,
+        }
+    }
+
+    /// The same where pellets yield under a pressure [Pa] before they break (Thornton 1997) [N].
+    ///
+    /// An arrival brings an energy, which makes less force where the contact yields; a squeeze brings the force itself.
+    pub fn yielded_force(&self, yield_pressure: f64) -> f64 {
+        match self.cause {
+            Cause::Squeeze => self.peak_force,
+            Cause::Drop | Cause::Collision => {
+                yielded_force(self.arrival_force, self.arrival_pressure, yield_pressure)
+            }
         }
     }
 

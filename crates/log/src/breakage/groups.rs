@@ -1,0 +1,204 @@
+//! What breaks, by cause, by what is hit, by size and by place.
+
+use super::{Scored, Share};
+use crate::hits::RecordedHits;
+use pelletflow_impact::{Blow, Chance};
+use pelletflow_sim::{Cause, Hit, HitPartner};
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// Sizes told one by one; of more, classes of equal width [-].
+const SIZES: usize = 5;
+/// Side of the cubes that places are told by, over the diameter of the largest pellet [-].
+const CUBE_SIDE: f64 = 4.0;
+
+/// Blows that have something in common.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Group {
+    /// What they have in common.
+    pub name: String,
+    /// Pellets that they break.
+    #[serde(flatten)]
+    pub broken: Share,
+    /// How many they are [-].
+    pub blows: u64,
+    /// Greatest force of one of them [N].
+    pub worst_force_n: f64,
+}
+
+/// A cube of space where pellets break.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Place {
+    /// Its middle, in the world [m].
+    pub middle_m: [f64; 3],
+    /// The blows in it.
+    #[serde(flatten)]
+    pub group: Group,
+}
+
+/// All groupings.
+pub(super) struct Groups {
+    pub(super) by_cause: Vec<Group>,
+    pub(super) by_wall: Vec<Group>,
+    pub(super) by_size: Vec<Group>,
+    pub(super) by_place: Vec<Place>,
+    /// Side of the cubes of places [m].
+    pub(super) cube_side: f64,
+}
+
+impl Groups {
+    /// Groups the blows, whose forces are told by `force` [N], and tells the `places` where most breaks.
+    pub(super) fn new(
+        recorded: &RecordedHits,
+        scored: &Scored,
+        force: fn(&Hit) -> f64,
+        places: usize,
+    ) -> Self {
+        let sizes = Sizes::of(&scored.blows);
+        let cube_side = CUBE_SIDE * sizes.largest;
+        let cube = |hit: &Hit| [0, 1, 2].map(|axis| (hit.place[axis] / cube_side).floor() as i64);
+        let grouping = Grouping {
+            recorded,
+            scored,
+            force,
+        };
+        Self {
+            by_cause: grouping.by(|_, hit| hit.cause, |cause: Cause| cause.name().into()),
+            by_wall: grouping.by(
+                |_, hit| match hit.partner {
+                    HitPartner::Wall(wall) => Some(wall),
+                    HitPartner::Pellet { .. } => None,
+                },
+                |wall| wall_name(recorded, wall),
+            ),
+            by_size: grouping.by(
+                |blow, _| sizes.class(blow.diameter),
+                |class| sizes.name(class),
+            ),
+            by_place: grouping.places(cube, cube_side, places),
+            cube_side,
+        }
+    }
+}
+
+fn wall_name(recorded: &RecordedHits, wall: Option<usize>) -> String {
+    match wall {
+        Some(wall) => recorded
+            .walls
+            .get(wall)
+            .map_or_else(|| format!("wall {wall}"), |name| format!("wall `{name}`")),
+        None => "another pellet".into(),
+    }
+}
+
+/// Classes of diameters, equally wide.
+struct Sizes {
+    least: f64,
+    largest: f64,
+    width: f64,
+}
+
+impl Sizes {
+    fn of(blows: &[Blow]) -> Self {
+        let diameters = || blows.iter().map(|blow| blow.diameter);
+        let largest = diameters().fold(0.0, f64::max);
+        let least = diameters().fold(largest, f64::min);
+        Self {
+            least,
+            largest,
+            width: (largest - least) / SIZES as f64,
+        }
+    }
+
+    fn class(&self, diameter: f64) -> usize {
+        if self.width > 0.0 {
+            (((diameter - self.least) / self.width) as usize).min(SIZES - 1)
+        } else {
+            0
+        }
+    }
+
+    fn name(&self, class: usize) -> String {
+        let millimeters = |diameter: f64| (1.0e6 * diameter).round() / 1.0e3;
+        let from = self.least + class as f64 * self.width;
+        if self.width > 0.0 {
+            format!(
+                "{} to {} mm",
+                millimeters(from),
+                millimeters(from + self.width)
+            )
+        } else {
+            format!("{} mm", millimeters(from))
+        }
+    }
+}
+
+/// Blows that are to be grouped.
+struct Grouping<'a> {
+    recorded: &'a RecordedHits,
+    scored: &'a Scored,
+    force: fn(&Hit) -> f64,
+}
+
+/// What adds up over the blows of a group.
+#[derive(Default)]
+struct Sum {
+    chance: Chance,
+    blows: u64,
+    worst_force: f64,
+}
+
+impl Grouping<'_> {
+    /// Groups by a key of blow and hit, in order of the key, named by it.
+    fn by<K: Ord + Copy>(
+        &self,
+        key: impl Fn(&Blow, &Hit) -> K,
+        name: impl Fn(K) -> String,
+    ) -> Vec<Group> {
+        self.sums(key)
+            .into_iter()
+            .map(|(key, sum)| self.group(name(key), &sum))
+            .collect()
+    }
+
+    /// The cubes where most breaks, the worst first.
+    fn places(&self, cube: impl Fn(&Hit) -> [i64; 3], cube_side: f64, count: usize) -> Vec<Place> {
+        let sums = self.sums(|_, hit| cube(hit)).into_iter();
+        let mut worst: Vec<([i64; 3], Sum)> =
+            sums.filter(|(_, sum)| sum.chance.best > 0.0).collect();
+        worst.sort_by(|(_, one), (_, other)| other.chance.best.total_cmp(&one.chance.best));
+        worst.truncate(count);
+        worst
+            .into_iter()
+            .map(|(cube, sum)| {
+                let middle_m = cube.map(|index| (index as f64 + 0.5) * cube_side);
+                let name = middle_m.map(|at| format!("{at:.3}")).join(", ");
+                Place {
+                    middle_m,
+                    group: self.group(name, &sum),
+                }
+            })
+            .collect()
+    }
+
+    fn sums<K: Ord + Copy>(&self, key: impl Fn(&Blow, &Hit) -> K) -> BTreeMap<K, Sum> {
+        let mut sums: BTreeMap<K, Sum> = BTreeMap::new();
+        let chances = self.scored.score.chances.iter();
+        for ((blow, hit), &chance) in self.scored.dealt(self.recorded).zip(chances) {
+            let sum = sums.entry(key(blow, hit)).or_default();
+            sum.chance += chance;
+            sum.blows += 1;
+            sum.worst_force = sum.worst_force.max((self.force)(hit));
+        }
+        sums
+    }
+
+    fn group(&self, name: String, sum: &Sum) -> Group {
+        Group {
+            name,
+            broken: Share::of(sum.chance.broken(), self.recorded.pellets),
+            blows: sum.blows,
+            worst_force_n: sum.worst_force,
+        }
+    }
+}

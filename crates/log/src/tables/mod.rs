@@ -1,0 +1,243 @@
+//! A recording as tables: named columns of one type each, with units, for data frames and files of other programs.
+//!
+//! One pass reads all that is asked for.
+//! Contacts are not recorded, because there are more than twice as many as pellets in every frame; what a contact did
+//! from touch to release is a row of the hits.
+
+mod bodies;
+mod events;
+mod hits;
+mod series;
+mod table;
+mod unit;
+
+pub use hits::hits_table;
+pub use table::{Column, Table, Values};
+
+use crate::error::ReadError;
+use crate::records::Records;
+use bodies::Bodies;
+use events::Events;
+use hits::{Classes, Hits};
+use mcap::records::{MessageHeader, Record};
+use series::Series;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// Kinds of tables that a recording can be read as.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum TableKind {
+    /// Every pellet in every frame.
+    Bodies,
+    /// Hits kept in full.
+    Hits,
+    /// The last sketch of all hits, by partner and force.
+    HitClasses,
+    /// What each meter reads, a table for each.
+    Meters,
+    /// Pellets and mass inserted, inside, discharged and lost.
+    MassLedger,
+    /// Energies.
+    EnergyLedger,
+    /// What happened, in words.
+    Events,
+}
+
+impl TableKind {
+    /// All of them.
+    pub const ALL: [Self; 7] = [
+        Self::Bodies,
+        Self::Hits,
+        Self::HitClasses,
+        Self::Meters,
+        Self::MassLedger,
+        Self::EnergyLedger,
+        Self::Events,
+    ];
+
+    /// Name of its table; those of meters are called `meters/NAME`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Bodies => "bodies",
+            Self::Hits => "hits",
+            Self::HitClasses => "hit_classes",
+            Self::Meters => "meters",
+            Self::MassLedger => "mass_ledger",
+            Self::EnergyLedger => "energy_ledger",
+            Self::Events => "events",
+        }
+    }
+}
+
+/// What a recording holds, as tables.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Tables {
+    /// Facts of the run: version, scene, seed and so on.
+    pub facts: BTreeMap<String, String>,
+    /// The tables asked for that the recording has, in the order of [`TableKind::ALL`]; meters by name.
+    pub tables: Vec<Table>,
+    /// Whether the file ends in the middle; the tables then hold what is before the cut.
+    pub is_cut_off: bool,
+}
+
+impl Tables {
+    /// The table of a name, if it was asked for and the recording has it.
+    pub fn get(&self, name: &str) -> Option<&Table> {
+        self.tables.iter().find(|table| table.name == name)
+    }
+}
+
+/// Reads a recording as the tables asked for, in one pass; of a file that is cut off, what is before the cut.
+///
+/// Tables of hits are left out where the run did not follow them; a meter or ledger that was never written, too.
+///
+/// # Errors
+/// The file cannot be read, is no recording or is damaged.
+pub fn read_tables(path: impl AsRef<Path>, kinds: &[TableKind]) -> Result<Tables, ReadError> {
+    let path = path.as_ref();
+    let damaged = |reason: String| ReadError::Damaged {
+        path: path.into(),
+        reason,
+    };
+    let mut records = Records::open(path)?;
+    let mut reader = Reader::new(kinds);
+    while let Some(record) = records.next()? {
+        match record {
+            Record::Schema { header, data } => {
+                reader.schemas.insert(header.id, data.into_owned());
+            }
+            Record::Channel(channel) => reader
+                .open(channel.id, channel.schema_id, &channel.topic)
+                .map_err(|reason| damaged(format!("the channel `{}`: {reason}", channel.topic)))?,
+            Record::Metadata(metadata) => reader
+                .describe(&metadata.name, metadata.metadata)
+                .map_err(|reason| damaged(format!("the metadata `{}`: {reason}", metadata.name)))?,
+            Record::Message { header, data } => {
+                reader.take(&header, &data).map_err(|(topic, reason)| {
+                    damaged(format!("a message of `{topic}`: {reason}"))
+                })?;
+            }
+            _ => {}
+        }
+    }
+    reader.tables(records.is_cut_off()).map_err(damaged)
+}
+
+/// What becomes of the messages of one channel.
+enum Sink {
+    Bodies(Bodies),
+    Hits(Hits),
+    Classes(Classes),
+    Series(Series),
+    Events(Events),
+}
+
+struct Reader<'a> {
+    kinds: &'a [TableKind],
+    schemas: BTreeMap<u16, Vec<u8>>,
+    /// The channels asked for, by number, with their topics.
+    sinks: BTreeMap<u16, (String, Sink)>,
+    facts: BTreeMap<String, String>,
+    walls: Vec<String>,
+}
+
+impl<'a> Reader<'a> {
+    fn new(kinds: &'a [TableKind]) -> Self {
+        Self {
+            kinds,
+            schemas: BTreeMap::new(),
+            sinks: BTreeMap::new(),
+            facts: BTreeMap::new(),
+            walls: Vec::new(),
+        }
+    }
+
+    /// Prepares for the messages of a channel; the index at the end of the file repeats every channel.
+    fn open(&mut self, id: u16, schema: u16, topic: &str) -> Result<(), String> {
+        let Some((kind, name)) = table_of(topic) else {
+            return Ok(());
+        };
+        if !self.kinds.contains(&kind) || self.sinks.contains_key(&id) {
+            return Ok(());
+        }
+        let sink = match kind {
+            TableKind::Bodies => Sink::Bodies(Bodies::default()),
+            TableKind::Hits => Sink::Hits(Hits::default()),
+            TableKind::HitClasses => Sink::Classes(Classes::default()),
+            TableKind::Events => Sink::Events(Events::default()),
+            TableKind::Meters | TableKind::MassLedger | TableKind::EnergyLedger => {
+                let schema = self.schemas.get(&schema).ok_or("it has no schema")?;
+                Sink::Series(Series::new(name, schema)?)
+            }
+        };
+        self.sinks.insert(id, (topic.to_owned(), sink));
+        Ok(())
+    }
+
+    fn describe(&mut self, name: &str, facts: BTreeMap<String, String>) -> Result<(), String> {
+        if name == "pelletflow.run" {
+            self.facts = facts;
+        } else if name == crate::hits::METADATA {
+            let walls = facts.get(crate::hits::WALLS).ok_or("it names no walls")?;
+            self.walls = serde_json::from_str(walls).map_err(|error| error.to_string())?;
+        }
+        Ok(())
+    }
+
+    /// Takes a message; the topic and what is wrong with it.
+    fn take(&mut self, header: &MessageHeader, data: &[u8]) -> Result<(), (String, String)> {
+        let Some((topic, sink)) = self.sinks.get_mut(&header.channel_id) else {
+            return Ok(());
+        };
+        let time = header.log_time as f64 * 1.0e-9;
+        match sink {
+            Sink::Bodies(bodies) => bodies.take(time, data),
+            Sink::Hits(hits) => hits.take(data),
+            Sink::Classes(classes) => classes.take(data),
+            Sink::Series(series) => series.take(time, data),
+            Sink::Events(events) => events.take(time, data),
+        }
+        .map_err(|reason| (topic.clone(), reason))
+    }
+
+    fn tables(self, is_cut_off: bool) -> Result<Tables, String> {
+        let mut tables = Vec::with_capacity(self.sinks.len());
+        for (topic, sink) in self.sinks.into_values() {
+            let rank = table_of(&topic).map(|(kind, _)| kind);
+            let table = match sink {
+                Sink::Bodies(bodies) => bodies.table(),
+                Sink::Hits(hits) => hits.table(&self.walls)?,
+                Sink::Classes(classes) => classes.table(&self.walls)?,
+                Sink::Series(series) => series.table(),
+                Sink::Events(events) => events.table(),
+            };
+            tables.push((rank, table));
+        }
+        tables.sort_by(|(one, first), (other, second)| {
+            (one, &first.name).cmp(&(other, &second.name))
+        });
+        Ok(Tables {
+            facts: self.facts,
+            tables: tables.into_iter().map(|(_, table)| table).collect(),
+            is_cut_off,
+        })
+    }
+}
+
+/// The kind of table that a topic becomes, and its name.
+fn table_of(topic: &str) -> Option<(TableKind, &str)> {
+    let kind = match topic {
+        "/pellets" => TableKind::Bodies,
+        "/hits" => TableKind::Hits,
+        "/hits/classes" => TableKind::HitClasses,
+        "/ledger/mass" => TableKind::MassLedger,
+        "/ledger/energy" => TableKind::EnergyLedger,
+        "/log" => TableKind::Events,
+        _ => {
+            let name = topic.strip_prefix('/')?;
+            let is_meter = name.starts_with("meters/");
+            return is_meter.then_some((TableKind::Meters, name));
+        }
+    };
+    Some((kind, kind.name()))
+}

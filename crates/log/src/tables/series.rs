@@ -1,0 +1,63 @@
+//! Meters and ledgers: rows of named numbers over time, by the names in their schema.
+
+use super::{Column, Table};
+use crate::message::series;
+use foxglove::prost_types::FileDescriptorSet;
+use prost::Message;
+
+/// A row for every message.
+pub(super) struct Series {
+    name: String,
+    time: Vec<f64>,
+    /// Quantities, in the order of their numbers from 1 on.
+    quantities: Vec<(String, Vec<f64>)>,
+}
+
+impl Series {
+    /// A table of a name, with the fields of a schema; what is wrong with that.
+    pub(super) fn new(name: &str, schema: &[u8]) -> Result<Self, String> {
+        let files = FileDescriptorSet::decode(schema).map_err(|error| error.to_string())?;
+        let message = files
+            .file
+            .first()
+            .and_then(|file| file.message_type.first())
+            .ok_or("its schema holds no message")?;
+        let mut fields: Vec<_> = message.field.iter().collect();
+        fields.sort_by_key(|field| field.number());
+        Ok(Self {
+            name: name.into(),
+            time: Vec::new(),
+            quantities: fields
+                .into_iter()
+                .map(|field| (field.name().into(), Vec::new()))
+                .collect(),
+        })
+    }
+
+    pub(super) fn take(&mut self, time: f64, data: &[u8]) -> Result<(), String> {
+        let values = series::decode(data).ok_or("its fields are no row of numbers")?;
+        if values.len() != self.quantities.len() {
+            return Err(format!(
+                "it has {} values; its schema has {}",
+                values.len(),
+                self.quantities.len()
+            ));
+        }
+        self.time.push(time);
+        for ((_, column), value) in self.quantities.iter_mut().zip(values) {
+            column.push(value);
+        }
+        Ok(())
+    }
+
+    pub(super) fn table(self) -> Table {
+        let quantities = self.quantities.into_iter();
+        let columns = quantities.map(|(name, values)| Column::new(name, values));
+        Table {
+            name: self.name,
+            columns: std::iter::once(Column::new("time_s", self.time))
+                .chain(columns)
+                .collect(),
+        }
+    }
+}
