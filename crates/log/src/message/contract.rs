@@ -24,10 +24,50 @@ fn a_cloud_gives_back_what_went_in() {
     let records = pellets::pellets(&cloud).expect("its fields are ours");
     assert_eq!(records.len(), 2);
     assert_eq!(records[1].id, 9);
-    assert_eq!(records[1].position, [0.9, -2.5, 3.75]);
+    // A thousandth of the radius.
+    assert!((records[1].position[0] - 0.9).abs() < 7.5e-6);
+    assert_eq!(records[1].position[1..], [-2.5, 3.75]);
     assert_eq!(records[1].radius, 0.0075);
     assert_eq!(records[1].speed, 2.0);
     assert_eq!(records[1].force, 12.5);
+}
+
+#[test]
+fn what_is_told_of_a_pellet_is_off_by_less_than_can_be_seen() {
+    let mut drawn = pellet(1, 1.0);
+    for index in 1..2000 {
+        let value = 1.07_f64.powi(index % 300 - 150) * f64::from(index);
+        drawn.position = Vec3::new(
+            1.0e-3 * f64::from(index),
+            -0.37 * f64::from(index),
+            1.0 / value,
+        );
+        (drawn.speed, drawn.force) = (value, 1.0e3 / value);
+        let records =
+            pellets::pellets(&pellets::message(0.0, &[drawn])).expect("its fields are ours");
+        for axis in 0..3 {
+            let off = (f64::from(records[0].position[axis]) - drawn.position[axis]).abs();
+            // Beyond some meters, single precision is coarser.
+            let single = drawn.position[axis].abs() * f64::from(f32::EPSILON);
+            assert!(
+                off < (1.0e-3 * drawn.radius).max(single),
+                "{off} at {index}"
+            );
+        }
+        for (found, told) in [
+            (records[0].speed, drawn.speed),
+            (records[0].force, drawn.force),
+        ] {
+            assert!(
+                (f64::from(found) / told - 1.0).abs() < 1.3e-4,
+                "{found} for {told}"
+            );
+        }
+    }
+    assert_eq!(
+        pellets::pellets(&pellets::message(0.0, &[pellet(1, 0.0)])).expect("ours")[0].speed,
+        0.0
+    );
 }
 
 #[test]
