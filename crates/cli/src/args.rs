@@ -2,6 +2,7 @@
 
 pub(crate) mod accuracy;
 pub(crate) mod card;
+pub(crate) mod export;
 pub(crate) mod hit;
 pub(crate) mod impact;
 pub(crate) mod quantity;
@@ -14,6 +15,7 @@ use card::CardArguments;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
+use export::ExportArguments;
 use impact::ImpactArguments;
 use pelletflow_scene::{Override, TEMPLATES};
 use report::ReportArguments;
@@ -72,6 +74,8 @@ pub(crate) enum Command {
     Score(ScoreArguments),
     /// Write a recording as a page that opens in any browser: plots, hits and a replay in space.
     Report(ReportArguments),
+    /// Write a recording as files of other programs: `ParaView`, spreadsheets, data frames.
+    Export(ExportArguments),
     /// Follow one hit from first touch to release: force, time, pressure and the curves fitted to them.
     Impact(Box<ImpactArguments>),
     /// Tell how fast pellets may arrive before a share of them breaks.

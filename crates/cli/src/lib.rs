@@ -33,6 +33,7 @@ pub fn main_from(args: impl IntoIterator<Item = OsString>) -> u8 {
         Command::New(new) => commands::new::new(new),
         Command::Inspect(inspect) => commands::inspect::inspect(inspect),
         Command::Report(report) => commands::report::write_report(report),
+        Command::Export(export) => commands::export::write_export(export),
         Command::Impact(impact) => commands::impact::impact(impact),
         Command::SafeSpeed(safe_speed) => commands::safe_speed::safe_speed(safe_speed),
         Command::Score(arguments) => commands::score::score_hits(arguments),

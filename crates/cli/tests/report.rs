@@ -38,10 +38,11 @@ fn good(directory: &Path, arguments: &[&str]) -> Call {
 }
 
 fn page(directory: &Path, arguments: &[&str]) -> String {
-    good(
+    let told = good(
         directory,
         &[&["report", "out/run.mcap"], arguments].concat(),
     );
+    assert!(told.output.contains("report.html"), "{}", told.output);
     fs::read_to_string(directory.join("out/report.html")).expect("a page")
 }
 

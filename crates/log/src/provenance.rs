@@ -1,6 +1,7 @@
 //! Whether a recording is one of ours, and of a version that this program reads.
 
 use crate::error::ReadError;
+use crate::records::Records;
 use mcap::records::Record;
 use std::path::{Path, PathBuf};
 
@@ -10,6 +11,19 @@ pub(crate) const RUN_METADATA: &str = "pelletflow.run";
 pub(crate) const FORMAT_KEY: &str = "format";
 /// The version of the channels that this program writes and reads [-].
 pub(crate) const FORMAT: u32 = 1;
+
+/// Reads a recording as far as it tells of its run.
+pub(crate) fn check(path: &Path) -> Result<(), ReadError> {
+    let mut records = Records::open(path)?;
+    let mut provenance = Provenance::new(path);
+    while let Some(record) = records.next()? {
+        provenance.take(&record)?;
+        if provenance.is_of_a_run {
+            return Ok(());
+        }
+    }
+    provenance.finish(records.is_cut_off())
+}
 
 /// What a recording has said of itself so far.
 pub(crate) struct Provenance {

@@ -4,6 +4,7 @@ pub(crate) mod accuracy;
 pub(crate) mod card;
 pub(crate) mod check;
 pub(crate) mod completions;
+pub(crate) mod export;
 pub(crate) mod hit;
 pub(crate) mod impact;
 pub(crate) mod inspect;

@@ -2,8 +2,8 @@
 
 use super::curve::Curve;
 use super::html::{escaped, put};
-use super::unit::words_and_unit;
 use crate::plot::{Axis, Chart, Series, SeriesStyle, color_of};
+use crate::tables::{unit_of, words_of};
 use std::ops::Range;
 
 /// Width and height of a chart on the page [px].
@@ -35,10 +35,10 @@ type Curves = [(String, Curve)];
 
 /// Plots of the quantities of a meter that share the unit of its first; nothing where it read nothing.
 pub(super) fn of_meter(name: &str, curves: &Curves) -> String {
-    let unit = curves.first().map(|(name, _)| words_and_unit(name).1);
+    let unit = curves.first().map(|(name, _)| unit_of(name));
     let shown = curves
         .iter()
-        .filter(|(name, _)| Some(words_and_unit(name).1) == unit);
+        .filter(|(name, _)| Some(unit_of(name)) == unit);
     over_time(name, shown)
 }
 
@@ -60,10 +60,9 @@ fn over_time<'a>(caption: &str, curves: impl Iterator<Item = &'a (String, Curve)
     let mut unit = "-";
     let series: Vec<Series> = curves
         .map(|(name, curve)| {
-            let words;
-            (words, unit) = words_and_unit(name);
+            unit = unit_of(name);
             Series {
-                label: words,
+                label: words_of(name),
                 points: curve.points(),
                 style: SeriesStyle::Line,
             }

@@ -1,6 +1,7 @@
 //! Frames of a recording, as many of them and as much of each as memory may hold.
 
 use crate::frames::PelletRecord;
+use crate::walls::WallPlace;
 
 /// Frames that are more than a replay needs, as it moves pellets evenly from one to the next [-].
 const MANY_FRAMES: usize = 120;
@@ -9,22 +10,6 @@ const FEW_PELLETS: usize = 10_000;
 
 /// Frames at most, even of no pellets [-].
 const MOST_FRAMES: usize = 4096;
-
-/// Where a wall is at one time.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct WallPlace {
-    /// Translation [m], and rotation as a quaternion x, y, z, w [-].
-    pub(super) pose: [f32; 7],
-    pub(super) is_present: bool,
-}
-
-impl WallPlace {
-    /// Of a wall that has not been placed.
-    pub(super) const UNKNOWN: Self = Self {
-        pose: [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0],
-        is_present: false,
-    };
-}
 
 /// Pellets and walls at one time.
 #[derive(Debug, Clone, PartialEq)]
@@ -233,7 +218,12 @@ mod tests {
             ["every 16th frame of 1,000; in between pellets move evenly"]
         );
         let store = stored(200_000, 40, 40_000);
-        assert!(store.omissions()[0].contains("of 40,000 pellets"));
+        let omissions = store.omissions();
+        assert_eq!(
+            omissions[0],
+            "every 2nd frame of 40; in between pellets move evenly"
+        );
+        assert!(omissions[1].contains(" of 40,000 pellets"), "{omissions:?}");
     }
 
     #[test]

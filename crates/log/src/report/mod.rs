@@ -12,8 +12,6 @@ mod page;
 mod pass;
 mod replay;
 mod tracks;
-mod unit;
-mod walls;
 
 use crate::error::ReadError;
 use pass::Gathered;

@@ -3,12 +3,12 @@
 use super::curve::Curve;
 use super::frames::{FrameStore, ReplayFrame};
 use super::hits::HitFindings;
-use super::walls::Walls;
 use crate::error::ReadError;
 use crate::hits::{IS_SOFTENED, METADATA, WALLS};
 use crate::message::{hits, pellets, series};
 use crate::provenance::{Provenance, RUN_METADATA};
 use crate::records::Records;
+use crate::walls::Walls;
 use foxglove::messages::{FrameTransforms, Log, PointCloud, SceneUpdate};
 use mcap::records::{MessageHeader, Record};
 use prost::Message;

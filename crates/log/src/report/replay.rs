@@ -1,11 +1,11 @@
 //! The replay that a page carries: one packed run of bytes, and what tells how to read it.
 
-use super::frames::{ReplayFrame, WallPlace};
+use super::frames::ReplayFrame;
 use super::hits::HitFindings;
 use super::html::put;
 use super::pass::Gathered;
 use super::tracks::{FORCE_DECADES, Scales, Tracks};
-use super::walls::WallSurface;
+use crate::walls::{WallPlace, WallSurface};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use flate2::Compression;
