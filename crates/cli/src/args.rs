@@ -2,9 +2,11 @@
 
 pub(crate) mod accuracy;
 pub(crate) mod card;
+pub(crate) mod export;
 pub(crate) mod hit;
 pub(crate) mod impact;
 pub(crate) mod quantity;
+pub(crate) mod report;
 pub(crate) mod safe_speed;
 pub(crate) mod score;
 
@@ -13,8 +15,10 @@ use card::CardArguments;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
+use export::ExportArguments;
 use impact::ImpactArguments;
 use pelletflow_scene::{Override, TEMPLATES};
+use report::ReportArguments;
 use safe_speed::{MaterialsArguments, SafeSpeedArguments};
 use score::ScoreArguments;
 use std::path::PathBuf;
@@ -26,6 +30,7 @@ Examples:
   pelletflow run hopper.toml             run it; results go to out/hopper
   pelletflow run hopper.toml --resume    go on with a run that was interrupted or killed
   pelletflow inspect out/hopper/run.mcap show what the recording holds
+  pelletflow report out/hopper/run.mcap  write it as a page: plots, hits and a replay in space
   pelletflow score out/hopper/run.mcap --strength 2kN   tell which pellets break, where and by what
   pelletflow impact --figure 2           follow one hit, from 1 to 8 m/s, as in the paper
   pelletflow safe-speed --pellet fired-pellet --strength 2kN   tell how fast pellets may arrive
@@ -68,6 +73,10 @@ pub(crate) enum Command {
     Inspect(InspectArguments),
     /// Tell which of the recorded hits break pellets of a strength: how many, where, and by what.
     Score(ScoreArguments),
+    /// Write a recording as a page that opens in any browser: plots, hits and a replay in space.
+    Report(ReportArguments),
+    /// Write a recording as files of other programs: `ParaView`, spreadsheets, data frames.
+    Export(ExportArguments),
     /// Follow one hit from first touch to release: force, time, pressure and the curves fitted to them.
     Impact(Box<ImpactArguments>),
     /// Tell how fast pellets may arrive before a share of them breaks.

@@ -1,6 +1,6 @@
 //! How a command ends.
 
-use pelletflow_log::{FolderError, ReadError, RunError};
+use pelletflow_log::{ExportError, FolderError, ReadError, RunError};
 use pelletflow_scene::{LabSheetError, Mistakes, SceneError, StrengthCardError};
 use std::io;
 
@@ -104,6 +104,15 @@ impl From<ReadError> for Failure {
             _ => Exit::BadInput,
         };
         Self::new(exit, error.to_string())
+    }
+}
+
+impl From<ExportError> for Failure {
+    fn from(error: ExportError) -> Self {
+        match error {
+            ExportError::Read(error) => error.into(),
+            error => Self::new(Exit::InputOutput, error.to_string()),
+        }
     }
 }
 

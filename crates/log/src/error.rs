@@ -176,6 +176,30 @@ pub enum ReadError {
         /// What is wrong with it.
         reason: String,
     },
+    /// Another program wrote it.
+    #[error("{} is an MCAP file without `pelletflow.run`: it was written by `{library}` and not by a pelletflow run", path.display())]
+    Foreign {
+        /// The path asked for.
+        path: PathBuf,
+        /// The program that wrote it, as it says.
+        library: String,
+    },
+    /// A later version of this program wrote it, in a way that this one does not know.
+    #[error("{} is a recording of format {format}, written by pelletflow {version}; expected format {} or less; read it with that version", path.display(), crate::provenance::FORMAT)]
+    LaterFormat {
+        /// The path asked for.
+        path: PathBuf,
+        /// Its format.
+        format: String,
+        /// The program that wrote it.
+        version: String,
+    },
+    /// It ends before it tells of its run.
+    #[error("{} is cut off before it tells of its run: nothing in it can be read; make the recording again", path.display())]
+    CutTooSoon {
+        /// The path asked for.
+        path: PathBuf,
+    },
     /// It has no such attachment.
     #[error("{} holds no attachment `{name}`; it was not written by a pelletflow run", path.display())]
     NoAttachment {

@@ -2,6 +2,7 @@
 
 use crate::error::ReadError;
 use crate::message::{hits, series};
+use crate::provenance::Provenance;
 use crate::records::Records;
 use mcap::records::Record;
 use pelletflow_sim::{Hit, HitClass, HitClassKey, Simulation};
@@ -75,7 +76,9 @@ pub fn read_hits(path: impl AsRef<Path>) -> Result<RecordedHits, ReadError> {
     let mut read = RecordedHits::default();
     let mut topics: BTreeMap<u16, String> = BTreeMap::new();
     let mut has_hits = false;
+    let mut provenance = Provenance::new(path);
     while let Some(record) = records.next()? {
+        provenance.take(&record)?;
         match record {
             Record::Metadata(metadata) if metadata.name == METADATA => {
                 has_hits = true;
@@ -117,9 +120,12 @@ pub fn read_hits(path: impl AsRef<Path>) -> Result<RecordedHits, ReadError> {
             _ => {}
         }
     }
-    if !has_hits {
-        return Err(ReadError::NoHits { path: path.into() });
-    }
     read.is_cut_off = records.is_cut_off();
-    Ok(read)
+    provenance.finish(read.is_cut_off)?;
+    match (has_hits, read.is_cut_off) {
+        (true, _) => Ok(read),
+        (false, false) => Err(ReadError::NoHits { path: path.into() }),
+        // What tells of hits comes after what tells of the run.
+        (false, true) => Err(ReadError::CutTooSoon { path: path.into() }),
+    }
 }

@@ -4,6 +4,7 @@ use crate::error::{FolderError, RunError};
 use crate::layout::layout;
 use crate::output::{Output, sync_directory};
 use crate::patches;
+use crate::provenance::{FORMAT, FORMAT_KEY};
 use crate::recording::{CarryError, Mark, Recording, Title};
 use crate::records::Records;
 use crate::run::RunRequest;
@@ -128,6 +129,7 @@ fn start(
 fn facts(simulation: &Simulation, request: &RunRequest) -> BTreeMap<String, String> {
     let model = simulation.model();
     [
+        (FORMAT_KEY, FORMAT.to_string()),
         ("version", env!("CARGO_PKG_VERSION").to_owned()),
         ("scene", request.scene_name.to_owned()),
         ("title", request.scene_title.to_owned()),

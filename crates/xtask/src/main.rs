@@ -16,6 +16,7 @@ mod report;
 mod test;
 mod venv;
 mod verify;
+mod viewers;
 mod workspace;
 
 use clap::Parser;

@@ -4,10 +4,11 @@ use crate::distribution;
 use crate::process;
 use crate::report::Report;
 use crate::venv::Venv;
+use crate::viewers;
 use crate::workspace::{cargo, root, target};
 use anyhow::{Result, ensure};
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Sets up and runs every test.
 pub(crate) fn run(report: &mut Report) -> Result<()> {
@@ -24,7 +25,9 @@ pub(crate) fn wheel_and_recordings(report: &mut Report, venv: &Venv) -> Result<(
     })?;
     report.part("source distribution", || distribution::check_source(venv))?;
     report.part("Python tests", || python_tests(venv))?;
-    report.part("example scenes", || recordings(venv))
+    let folder = target().join("recordings");
+    report.part("example scenes", || recordings(venv, &folder))?;
+    report.part("viewers", || viewers::check(&folder))
 }
 
 /// Runs the tests of all crates but the Python module, which only an interpreter can load.
@@ -57,10 +60,9 @@ fn python_tests(venv: &Venv) -> Result<String> {
 }
 
 /// Runs the example scenes as a user does and has independent readers check what they record.
-fn recordings(venv: &Venv) -> Result<String> {
-    let folder = target().join("recordings");
+fn recordings(venv: &Venv, folder: &Path) -> Result<String> {
     if folder.exists() {
-        fs::remove_dir_all(&folder)?;
+        fs::remove_dir_all(folder)?;
     }
     let scenes = example_scenes()?;
     for scene in &scenes {

@@ -24,10 +24,50 @@ fn a_cloud_gives_back_what_went_in() {
     let records = pellets::pellets(&cloud).expect("its fields are ours");
     assert_eq!(records.len(), 2);
     assert_eq!(records[1].id, 9);
-    assert_eq!(records[1].position, [0.9, -2.5, 3.75]);
+    // A thousandth of the radius.
+    assert!((records[1].position[0] - 0.9).abs() < 7.5e-6);
+    assert_eq!(records[1].position[1..], [-2.5, 3.75]);
     assert_eq!(records[1].radius, 0.0075);
     assert_eq!(records[1].speed, 2.0);
     assert_eq!(records[1].force, 12.5);
+}
+
+#[test]
+fn what_is_told_of_a_pellet_is_off_by_less_than_can_be_seen() {
+    let mut drawn = pellet(1, 1.0);
+    for index in 1..2000 {
+        let value = 1.07_f64.powi(index % 300 - 150) * f64::from(index);
+        drawn.position = Vec3::new(
+            1.0e-3 * f64::from(index),
+            -0.37 * f64::from(index),
+            1.0 / value,
+        );
+        (drawn.speed, drawn.force) = (value, 1.0e3 / value);
+        let records =
+            pellets::pellets(&pellets::message(0.0, &[drawn])).expect("its fields are ours");
+        for axis in 0..3 {
+            let off = (f64::from(records[0].position[axis]) - drawn.position[axis]).abs();
+            // Beyond some meters, single precision is coarser.
+            let single = drawn.position[axis].abs() * f64::from(f32::EPSILON);
+            assert!(
+                off < (1.0e-3 * drawn.radius).max(single),
+                "{off} at {index}"
+            );
+        }
+        for (found, told) in [
+            (records[0].speed, drawn.speed),
+            (records[0].force, drawn.force),
+        ] {
+            assert!(
+                (f64::from(found) / told - 1.0).abs() < 1.3e-4,
+                "{found} for {told}"
+            );
+        }
+    }
+    assert_eq!(
+        pellets::pellets(&pellets::message(0.0, &[pellet(1, 0.0)])).expect("ours")[0].speed,
+        0.0
+    );
 }
 
 #[test]
@@ -81,6 +121,20 @@ fn the_first_value_of_a_row_is_read_back_and_another_message_has_none() {
     assert_eq!(series::first_value(&bytes[..5]), None);
     let cloud = pellets::message(0.0, &[pellet(1, 1.0)]).encode_to_vec();
     assert_eq!(series::first_value(&cloud), None);
+}
+
+#[test]
+fn a_row_is_read_back_with_its_names_and_another_message_is_not() {
+    let row = [("mass_flow_kg_per_s", 4.5), ("mass_kg", -0.25)];
+    let schema = series::schema("mass-flow", &row);
+    let names = series::names(&schema.data).expect("a schema of ours");
+    assert_eq!(names, ["mass_flow_kg_per_s", "mass_kg"]);
+    let bytes = series::encode(&row);
+    assert_eq!(series::decode(&bytes), Some(vec![4.5, -0.25]));
+    assert_eq!(series::decode(&bytes[..12]), None);
+    let cloud = pellets::message(0.0, &[pellet(1, 1.0)]).encode_to_vec();
+    assert_eq!(series::decode(&cloud), None);
+    assert_eq!(series::names(b"no schema"), None);
 }
 
 fn hit(partner: HitPartner, cause: Cause) -> Hit {

@@ -19,19 +19,21 @@ const FIELDS: [(&str, NumericType); 7] = [
 const FIELD_BYTES: usize = 4;
 const POINT_BYTES: usize = FIELD_BYTES * FIELDS.len();
 
+/// Share of a pellet's radius that its place is told to [-], as a power of two.
+const PLACE_BITS: i32 = 10;
+/// Binary digits of a speed and a force [-]: one part in eight thousand.
+const VALUE_BITS: u32 = 13;
+
 /// All pellets at a time [s], in the order given.
+///
+/// Digits that nobody can see are zero: they are half of what a file would hold.
 pub(crate) fn message(time: f64, pellets: &[DrawnPellet]) -> PointCloud {
     let mut data = Vec::with_capacity(pellets.len() * POINT_BYTES);
     for pellet in pellets {
-        for value in [
-            pellet.position.x,
-            pellet.position.y,
-            pellet.position.z,
-            pellet.radius,
-            pellet.speed,
-            pellet.force,
-        ] {
-            data.extend_from_slice(&(value as f32).to_le_bytes());
+        let [x, y, z] = [0, 1, 2].map(|axis| placed(pellet.position[axis], pellet.radius));
+        let [speed, force] = [pellet.speed, pellet.force].map(|value| shortened(value as f32));
+        for value in [x, y, z, pellet.radius as f32, speed, force] {
+            data.extend_from_slice(&value.to_le_bytes());
         }
         data.extend_from_slice(&pellet.id.to_le_bytes());
     }
@@ -51,6 +53,19 @@ pub(crate) fn message(time: f64, pellets: &[DrawnPellet]) -> PointCloud {
             .collect(),
         data: data.into(),
     }
+}
+
+/// A coordinate [m], to less than a thousandth of the radius [m].
+fn placed(coordinate: f64, radius: f64) -> f32 {
+    let step = (radius.log2().floor() - f64::from(PLACE_BITS)).exp2();
+    ((coordinate / step).round() * step) as f32
+}
+
+/// A number in fewer binary digits, rounded.
+fn shortened(value: f32) -> f32 {
+    let dropped = f32::MANTISSA_DIGITS - VALUE_BITS;
+    let bits = value.to_bits().wrapping_add(1 << (dropped - 1));
+    f32::from_bits(bits >> dropped << dropped)
 }
 
 /// The pellets of a message; what is missing in it.

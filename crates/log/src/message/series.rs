@@ -5,8 +5,10 @@
 
 use super::own;
 use foxglove::Schema;
+use foxglove::prost_types::FileDescriptorSet;
 use foxglove::prost_types::field_descriptor_proto::{Label, Type};
 use pelletflow_sim::{EnergyLedger, MassLedger, MeterReading};
+use prost::Message;
 
 /// Wire type of a `double` in a protobuf tag.
 const EIGHT_BYTES: u64 = 1;
@@ -50,6 +52,16 @@ pub(crate) fn decode(bytes: &[u8]) -> Option<Vec<f64>> {
 /// The first value of a message that [`encode`] made; none where it has another form.
 pub(crate) fn first_value(bytes: &[u8]) -> Option<f64> {
     decode(bytes)?.first().copied()
+}
+
+/// Names of the values of a message, in their order, from its schema; none where that is not one of ours.
+pub(crate) fn names(schema: &[u8]) -> Option<Vec<String>> {
+    let files = FileDescriptorSet::decode(schema).ok()?;
+    let message = files.file.into_iter().next()?.message_type.pop()?;
+    let fields = message.field.into_iter().zip(1..);
+    fields
+        .map(|(field, number)| (field.number == Some(number)).then_some(field.name)?)
+        .collect()
 }
 
 /// `mass-flow` becomes `MassFlow`.

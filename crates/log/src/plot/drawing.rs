@@ -1,11 +1,9 @@
 //! Charts drawn by plotters.
 
-use super::{Axis, Chart, ChartError, Scale, SeriesStyle};
+use super::{Axis, Chart, ChartError, Drawing, Scale, SeriesStyle};
+use plotters::coord::Shift;
 use plotters::coord::ranged1d::{AsRangedCoord, ValueFormatter};
 use plotters::prelude::*;
-
-/// Size of a chart in pixels, width and height.
-const SIZE: (u32, u32) = (760, 460);
 
 /// Colors that also color-blind readers tell apart (Okabe & Ito 2008).
 const COLORS: [RGBColor; 8] = [
@@ -19,9 +17,20 @@ const COLORS: [RGBColor; 8] = [
     RGBColor(140, 110, 60),
 ];
 
+/// Color of the series with a place in the order of a chart, as a page writes it.
+pub(crate) fn color_of(series: usize) -> String {
+    let RGBColor(red, green, blue) = COLORS[series % COLORS.len()];
+    format!("#{red:02X}{green:02X}{blue:02X}")
+}
+
 impl Chart {
     /// Draws over coordinates made for the two scales.
-    pub(super) fn draw<X, Y>(&self, x: X, y: Y) -> Result<String, ChartError>
+    pub(super) fn draw<X, Y>(
+        &self,
+        [width, height]: [u32; 2],
+        x: X,
+        y: Y,
+    ) -> Result<Drawing, ChartError>
     where
         X: AsRangedCoord<Value = f64>,
         Y: AsRangedCoord<Value = f64>,
@@ -29,30 +38,36 @@ impl Chart {
         Y::CoordDescType: ValueFormatter<f64>,
     {
         let mut svg = String::new();
-        self.draw_into(&mut svg, x, y)
+        let area = SVGBackend::with_string(&mut svg, (width, height)).into_drawing_area();
+        let frame = self
+            .draw_on(&area, x, y)
             .map_err(|error| ChartError::Refused {
                 title: self.title.clone(),
                 reason: error.to_string(),
             })?;
-        Ok(svg)
+        drop(area);
+        Ok(Drawing { svg, frame })
     }
 
-    fn draw_into<'s, X, Y>(
+    /// Draws on an area; the left, right, upper and lower end of what the axes enclose [px].
+    fn draw_on<'s, X, Y>(
         &self,
-        svg: &'s mut String,
+        area: &DrawingArea<SVGBackend<'s>, Shift>,
         x: X,
         y: Y,
-    ) -> Result<(), DrawingAreaErrorKind<<SVGBackend<'s> as DrawingBackend>::ErrorType>>
+    ) -> Result<[i32; 4], DrawingAreaErrorKind<<SVGBackend<'s> as DrawingBackend>::ErrorType>>
     where
         X: AsRangedCoord<Value = f64>,
         Y: AsRangedCoord<Value = f64>,
         X::CoordDescType: ValueFormatter<f64>,
         Y::CoordDescType: ValueFormatter<f64>,
     {
-        let area = SVGBackend::with_string(svg, SIZE).into_drawing_area();
         area.fill(&WHITE)?;
-        let mut chart = ChartBuilder::on(&area)
-            .caption(&self.title, ("sans-serif", 17))
+        let mut builder = ChartBuilder::on(area);
+        if !self.title.is_empty() {
+            builder.caption(&self.title, ("sans-serif", 17));
+        }
+        let mut chart = builder
             .margin(14)
             .x_label_area_size(46)
             .y_label_area_size(70)
@@ -98,7 +113,9 @@ impl Chart {
                 .border_style(BLACK.mix(0.2))
                 .draw()?;
         }
-        area.present()
+        let (across, down) = chart.plotting_area().get_pixel_range();
+        area.present()?;
+        Ok([across.start, across.end, down.start, down.end])
     }
 
     /// The corner with the fewest points, for the legend.

@@ -19,16 +19,21 @@
 
 mod drawing;
 
+pub(crate) use drawing::color_of;
+
 use plotters::prelude::IntoLogRange;
 use std::ops::Range;
 
 /// Room left between the outermost points and the frame, as a share of the range [-].
 const MARGIN: f64 = 0.04;
 
+/// Size of a chart that is a file of its own, width and height [px].
+const SIZE: [u32; 2] = [760, 460];
+
 /// A chart of lines and markers over two axes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chart {
-    /// What the chart shows.
+    /// What the chart shows; where it is empty, none is drawn.
     pub title: String,
     /// The axis to the right.
     pub x: Axis,
@@ -108,6 +113,15 @@ impl SeriesStyle {
     }
 }
 
+/// A chart as it was drawn.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Drawing {
+    /// The text of an SVG file.
+    pub svg: String,
+    /// Left, right, upper and lower end of what the axes enclose [px].
+    pub frame: [i32; 4],
+}
+
 /// A chart that cannot be drawn.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -153,18 +167,33 @@ impl Chart {
     ///
     /// When there is no point, or one is not finite or not positive where the axis is logarithmic.
     pub fn to_svg(&self) -> Result<String, ChartError> {
+        self.drawing(SIZE).map(|drawing| drawing.svg)
+    }
+
+    /// The chart drawn with a width and a height [px].
+    ///
+    /// # Errors
+    ///
+    /// As for [`Chart::to_svg`].
+    pub fn drawing(&self, size: [u32; 2]) -> Result<Drawing, ChartError> {
         let x = self.range(0)?;
         let y = self.range(1)?;
         match (self.x.scale, self.y.scale) {
-            (Scale::Linear, Scale::Linear) => self.draw(x, y),
-            (Scale::Linear, Scale::Logarithmic) => self.draw(x, y.log_scale()),
-            (Scale::Logarithmic, Scale::Linear) => self.draw(x.log_scale(), y),
-            (Scale::Logarithmic, Scale::Logarithmic) => self.draw(x.log_scale(), y.log_scale()),
+            (Scale::Linear, Scale::Linear) => self.draw(size, x, y),
+            (Scale::Linear, Scale::Logarithmic) => self.draw(size, x, y.log_scale()),
+            (Scale::Logarithmic, Scale::Linear) => self.draw(size, x.log_scale(), y),
+            (Scale::Logarithmic, Scale::Logarithmic) => {
+                self.draw(size, x.log_scale(), y.log_scale())
+            }
         }
     }
 
-    /// What an axis must span, with some room.
-    fn range(&self, direction: usize) -> Result<Range<f64>, ChartError> {
+    /// What an axis spans: its points with some room, in the unit that it names [-].
+    ///
+    /// # Errors
+    ///
+    /// As for [`Chart::to_svg`].
+    pub(crate) fn range(&self, direction: usize) -> Result<Range<f64>, ChartError> {
         let axis = [&self.x, &self.y][direction];
         let mut span = f64::INFINITY..f64::NEG_INFINITY;
         for series in &self.series {

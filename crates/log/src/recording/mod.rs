@@ -16,6 +16,7 @@ use crate::hits::{IS_SOFTENED, METADATA, THRESHOLD, WALLS};
 use crate::message::equipment::Equipment;
 use crate::message::event::{self, Gravity};
 use crate::message::{hits, nanoseconds, pellets, series, spheres, transforms, worst};
+use crate::provenance::RUN_METADATA;
 use crate::worst_hits::in_words;
 use channel::{Channel, Foxglove, channel_for};
 use mcap::records::Metadata;
@@ -93,7 +94,7 @@ impl<W: Write + Seek> Recording<W> {
             .create(writer)
             .map(MessageWriter::new)?;
         writer.write_metadata(&Metadata {
-            name: "pelletflow.run".into(),
+            name: RUN_METADATA.into(),
             metadata: title.facts.clone(),
         })?;
         for (name, media_type, text) in [

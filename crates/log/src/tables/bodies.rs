@@ -1,13 +1,14 @@
 //! Pellets of every frame.
 
 use super::{Column, Table, TableKind};
+use crate::frames::PelletRecord;
 use crate::message::pellets;
 use foxglove::messages::PointCloud;
 use prost::Message;
 
 /// A row for every pellet in every frame.
 #[derive(Default)]
-pub(super) struct Bodies {
+pub(crate) struct Bodies {
     time: Vec<f64>,
     id: Vec<u32>,
     position: [Vec<f32>; 3],
@@ -19,7 +20,13 @@ pub(super) struct Bodies {
 impl Bodies {
     pub(super) fn take(&mut self, time: f64, data: &[u8]) -> Result<(), String> {
         let cloud = PointCloud::decode(data).map_err(|error| error.to_string())?;
-        for pellet in pellets::pellets(&cloud)? {
+        self.push(time, &pellets::pellets(&cloud)?);
+        Ok(())
+    }
+
+    /// Adds the pellets of a frame.
+    pub(crate) fn push(&mut self, time: f64, pellets: &[PelletRecord]) {
+        for pellet in pellets {
             self.time.push(time);
             self.id.push(pellet.id);
             for (column, coordinate) in self.position.iter_mut().zip(pellet.position) {
@@ -29,10 +36,14 @@ impl Bodies {
             self.speed.push(pellet.speed);
             self.force.push(pellet.force);
         }
-        Ok(())
     }
 
-    pub(super) fn table(self) -> Table {
+    /// Rows so far [-].
+    pub(crate) fn rows(&self) -> usize {
+        self.time.len()
+    }
+
+    pub(crate) fn table(self) -> Table {
         let [x, y, z] = self.position;
         Table {
             name: TableKind::Bodies.name().into(),

@@ -11,12 +11,14 @@ mod series;
 mod table;
 mod unit;
 
+pub(crate) use bodies::Bodies;
 pub use hits::hits_table;
 pub use table::{Column, Table, Values};
+pub(crate) use unit::{unit_of, words_of};
 
 use crate::error::ReadError;
+use crate::provenance::Provenance;
 use crate::records::Records;
-use bodies::Bodies;
 use events::Events;
 use hits::{Classes, Hits};
 use mcap::records::{MessageHeader, Record};
@@ -101,7 +103,9 @@ pub fn read_tables(path: impl AsRef<Path>, kinds: &[TableKind]) -> Result<Tables
     };
     let mut records = Records::open(path)?;
     let mut reader = Reader::new(kinds);
+    let mut provenance = Provenance::new(path);
     while let Some(record) = records.next()? {
+        provenance.take(&record)?;
         match record {
             Record::Schema { header, data } => {
                 reader.schemas.insert(header.id, data.into_owned());
@@ -120,6 +124,7 @@ pub fn read_tables(path: impl AsRef<Path>, kinds: &[TableKind]) -> Result<Tables
             _ => {}
         }
     }
+    provenance.finish(records.is_cut_off())?;
     reader.tables(records.is_cut_off()).map_err(damaged)
 }
 

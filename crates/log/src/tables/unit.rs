@@ -20,11 +20,18 @@ const UNITS: [(&str, &str); 15] = [
 ];
 
 /// The unit that a name ends in; `-` where it ends in none.
-pub(super) fn unit_of(name: &str) -> &'static str {
+pub(crate) fn unit_of(name: &str) -> &'static str {
     UNITS
         .iter()
         .find(|(ending, _)| name.ends_with(ending))
         .map_or("-", |(_, unit)| unit)
+}
+
+/// A name without its unit, as words: `mass_flow_kg_per_s` is `mass flow`.
+pub(crate) fn words_of(name: &str) -> String {
+    let mut endings = UNITS.iter().map(|(ending, _)| *ending);
+    let words = endings.find_map(|ending| name.strip_suffix(ending));
+    words.unwrap_or(name).replace('_', " ")
 }
 
 #[cfg(test)]
@@ -40,6 +47,13 @@ mod tests {
         assert_eq!(unit_of("median_s"), "s");
         assert_eq!(unit_of("pellets"), "-");
         assert_eq!(unit_of("steps"), "-");
+    }
+
+    #[test]
+    fn words_are_what_stands_before_the_unit() {
+        assert_eq!(words_of("mass_flow_kg_per_s"), "mass flow");
+        assert_eq!(words_of("greatest_depth_m"), "greatest depth");
+        assert_eq!(words_of("solid_fraction"), "solid fraction");
     }
 
     #[test]

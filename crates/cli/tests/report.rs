@@ -1,0 +1,138 @@
+//! `pelletflow report` writes one page that needs nothing else, and says what it leaves out.
+
+mod common;
+
+use common::{Call, call};
+use std::fs;
+use std::path::Path;
+use tempfile::TempDir;
+
+/// Writes a scene of the hopper's first fifth of a second and runs it; its title would be a script.
+fn recording(settings: &[&str]) -> TempDir {
+    let directory = TempDir::new().expect("a directory");
+    good(directory.path(), &["new", "hopper"]);
+    let text = fs::read_to_string(directory.path().join("hopper.toml")).expect("a template");
+    let scene = text.split("[expect]").next().expect("the scene itself");
+    let scene = scene.to_owned() + "[expect]\n\"mass.lost\" = 0\n\"bodies.inserted\" = 7\n";
+    fs::write(directory.path().join("hopper.toml"), scene).expect("writable");
+    let mut arguments = vec!["run", "hopper.toml", "-o", "out", "-q"];
+    for setting in [
+        "time.end=0.2",
+        "fill.bed.count=150",
+        "scene.title=\"</script><script>alert('{{x}}')</script>\"",
+    ]
+    .iter()
+    .chain(settings)
+    {
+        arguments.extend(["--set", setting]);
+    }
+    // One expectation is not met, so that the page has something to tell.
+    assert_eq!(call(directory.path(), &arguments).code, 3);
+    directory
+}
+
+fn good(directory: &Path, arguments: &[&str]) -> Call {
+    let call = call(directory, arguments);
+    assert_eq!(call.code, 0, "{arguments:?}: {}", call.error);
+    call
+}
+
+fn page(directory: &Path, arguments: &[&str]) -> String {
+    let told = good(
+        directory,
+        &[&["report", "out/run.mcap"], arguments].concat(),
+    );
+    assert!(told.output.contains("report.html"), "{}", told.output);
+    fs::read_to_string(directory.join("out/report.html")).expect("a page")
+}
+
+#[test]
+fn a_page_holds_every_section_and_asks_for_nothing() {
+    let directory = recording(&[]);
+    let page = page(directory.path(), &["--strength", "20N"]);
+    for id in ["replay", "meters", "ledgers", "hits", "events", "run"] {
+        assert!(page.contains(&format!("<section id=\"{id}\"")), "{id}");
+    }
+    assert!(page.contains("default-src 'none'"));
+    for request in [
+        "http://", "https://", "url(", "@import", "fetch(", "<link", "<img", "<iframe",
+    ] {
+        assert!(!page.contains(request), "{request}");
+    }
+    assert!(page.contains("The replay holds every frame and every pellet of the recording."));
+    assert!(page.contains("pellets break at 20.00 N"));
+    assert!(page.contains("<td>bodies.inserted</td><td>7</td><td>150</td><td>no</td>"));
+    assert!(page.contains("Young&#39;s modulus"));
+    assert!(page.len() < 1_000_000, "{}", page.len());
+}
+
+#[test]
+fn nothing_of_a_scene_becomes_a_part_of_the_page() {
+    let directory = recording(&[]);
+    let page = page(directory.path(), &[]);
+    assert!(!page.contains("<script>alert"));
+    assert!(
+        page.contains(
+            "<h1>&lt;/script&gt;&lt;script&gt;alert(&#39;{{x}}&#39;)&lt;/script&gt;</h1>"
+        )
+    );
+    // The two of data and the one that runs.
+    assert_eq!(page.matches("<script").count(), 3);
+    assert_eq!(page.matches("</script>").count(), 3);
+}
+
+#[test]
+fn what_does_not_fit_is_left_out_and_said() {
+    let directory = recording(&["output.frame_interval=\"0.1 ms\"", "fill.bed.count=400"]);
+    let whole = page(directory.path(), &[]);
+    let small = page(directory.path(), &["--max-size", "500kB"]);
+    assert!(small.len() <= 500_000, "{}", small.len());
+    assert!(whole.len() > small.len());
+    assert!(
+        small.contains("The replay shows every "),
+        "it does not say what it left out"
+    );
+}
+
+#[test]
+fn a_recording_that_is_cut_off_is_shown_as_far_as_it_is_whole() {
+    let directory = recording(&[]);
+    let path = directory.path().join("out/run.mcap");
+    let bytes = fs::read(&path).expect("a recording");
+    fs::write(&path, &bytes[..bytes.len() - 2000]).expect("writable");
+    assert!(page(directory.path(), &[]).contains("The recording is cut off"));
+}
+
+#[test]
+fn a_page_that_cannot_be_written_is_refused_with_the_cure() {
+    let directory = recording(&["output.hits=false"]);
+    fs::create_dir(directory.path().join("folder")).expect("writable");
+    for (arguments, code, expected) in [
+        (
+            &["-o", "folder"][..],
+            2,
+            "folder is a directory; name a file in it",
+        ),
+        (
+            &["-o", "nowhere/report.html"],
+            4,
+            "nowhere/report.html cannot be written",
+        ),
+        (&["--max-size", "1kB"], 2, "at least 500kB"),
+        (&["--max-size", "much"], 2, "expected a size such as 8MB"),
+        (&["--strength", "2 kg"], 2, "is a mass"),
+    ] {
+        let call = call(
+            directory.path(),
+            &[&["report", "out/run.mcap"], arguments].concat(),
+        );
+        assert!(
+            call.error.contains(expected),
+            "{arguments:?}: {}",
+            call.error
+        );
+        assert_eq!(call.code, code, "{arguments:?}");
+    }
+    let page = page(directory.path(), &[]);
+    assert!(page.contains("The run did not follow hits"));
+}

@@ -1,0 +1,133 @@
+//! Walls as they were recorded: their triangles once, and where each is over time.
+
+use crate::message::{color, wall_frame};
+use foxglove::messages::{Color, FrameTransforms, Point3, SceneEntity, SceneUpdate};
+use std::collections::BTreeMap;
+
+/// The surface of a wall, in its own frame.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct WallSurface {
+    pub(crate) name: String,
+    pub(crate) material: String,
+    /// Whether it moves, runs or opens.
+    pub(crate) is_active: bool,
+    /// Corners [m].
+    pub(crate) corners: Vec<[f32; 3]>,
+    /// Corners of each triangle, by index.
+    pub(crate) triangles: Vec<u32>,
+    /// Ends of each piece of a sharp edge [m].
+    pub(crate) edges: Vec<[f32; 3]>,
+}
+
+/// Where a wall is at one time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct WallPlace {
+    /// Translation [m], and rotation as a quaternion x, y, z, w [-].
+    pub(crate) pose: [f32; 7],
+    pub(crate) is_present: bool,
+}
+
+impl WallPlace {
+    /// Of a wall that has not been placed.
+    pub(crate) const UNKNOWN: Self = Self {
+        pose: [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0],
+        is_present: false,
+    };
+}
+
+/// All walls seen so far, and where each is now.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct Walls {
+    surfaces: Vec<WallSurface>,
+    places: Vec<WallPlace>,
+    /// Poses told before their wall was, by the name of their frame.
+    poses: BTreeMap<String, [f32; 7]>,
+}
+
+impl Walls {
+    /// Takes a message of `/equipment`.
+    pub(crate) fn take_update(&mut self, update: SceneUpdate) {
+        for deletion in &update.deletions {
+            if let Some(index) = self.index(&deletion.id) {
+                self.places[index].is_present = false;
+            }
+        }
+        for entity in update.entities {
+            let index = self.index(&entity.id).unwrap_or_else(|| {
+                self.surfaces.push(surface(entity));
+                self.places.push(WallPlace::UNKNOWN);
+                self.surfaces.len() - 1
+            });
+            self.places[index].is_present = true;
+            if let Some(pose) = self.poses.get(&wall_frame(&self.surfaces[index].name)) {
+                self.places[index].pose = *pose;
+            }
+        }
+    }
+
+    /// Takes a message of `/tf`.
+    pub(crate) fn take_transforms(&mut self, transforms: FrameTransforms) {
+        for transform in transforms.transforms {
+            let by = transform.translation.unwrap_or_default();
+            let turn = transform.rotation.unwrap_or_default();
+            let pose = [by.x, by.y, by.z, turn.x, turn.y, turn.z, turn.w].map(|value| value as f32);
+            let name = transform.child_frame_id;
+            for (surface, place) in self.surfaces.iter().zip(&mut self.places) {
+                if wall_frame(&surface.name) == name {
+                    place.pose = pose;
+                }
+            }
+            self.poses.insert(name, pose);
+        }
+    }
+
+    /// Where each wall is now, in the order of the surfaces.
+    pub(crate) fn places(&self) -> Vec<WallPlace> {
+        self.places.clone()
+    }
+
+    pub(crate) fn surfaces(&self) -> &[WallSurface] {
+        &self.surfaces
+    }
+
+    fn index(&self, name: &str) -> Option<usize> {
+        self.surfaces
+            .iter()
+            .position(|surface| surface.name == name)
+    }
+}
+
+fn surface(entity: SceneEntity) -> WallSurface {
+    let material = entity.metadata.iter().find(|pair| pair.key == "material");
+    let material = material.map(|pair| pair.value.clone()).unwrap_or_default();
+    let mut corners = Vec::new();
+    let mut triangles = Vec::new();
+    let mut color = None;
+    for list in &entity.triangles {
+        let first = corners.len() as u32;
+        corners.extend(list.points.iter().map(place));
+        triangles.extend(list.indices.iter().map(|index| first + index));
+        color = color.or(list.color);
+    }
+    // An index without a corner would draw nonsense.
+    triangles.retain(|&index| (index as usize) < corners.len());
+    triangles.truncate(triangles.len() / 3 * 3);
+    let lines = entity.lines.iter().flat_map(|line| &line.points);
+    WallSurface {
+        name: entity.id,
+        material,
+        is_active: color.is_some_and(|color| is_close(color, color::ACTIVE_WALL)),
+        corners,
+        triangles,
+        edges: lines.map(place).collect(),
+    }
+}
+
+fn place(point: &Point3) -> [f32; 3] {
+    [point.x as f32, point.y as f32, point.z as f32]
+}
+
+fn is_close(one: Color, other: Color) -> bool {
+    // Eight bits of a channel.
+    (one.r - other.r).abs() < 1.0 / 256.0 && (one.b - other.b).abs() < 1.0 / 256.0
+}
