@@ -39,9 +39,11 @@ impl Outline {
     /// Of a hit whose motion along the normal is known.
     pub(crate) fn new(hit: &ElasticImpact, head_on: &HeadOn) -> Self {
         let length = hit.length();
+        let time = length / hit.speed;
         let force = hit.effective_mass * hit.speed.powi(2) / length;
         let peak_force = head_on.force(&head_on.hardest) * force;
-        let contact_time = head_on.release.time * length / hit.speed;
+        // As each sample of the curve is put into seconds: the last one is then at the release to the bit.
+        let contact_time = head_on.release.time * time;
         let max_approach = head_on.deepest.overlap * length;
         let restitution = -head_on.release.rate;
         let impulse = hit.effective_mass * hit.speed * (1.0 + restitution);
