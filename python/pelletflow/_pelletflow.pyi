@@ -41,6 +41,7 @@ def run(
     output: str | os.PathLike[str] | None,
     threads: int | None,
     set: Mapping[str, Any] | None,
+    unfinished: str,
     observer: Callable[[float, float, int, int, float, int, int], object] | None,
 ) -> tuple[dict[str, Any], Path]:
     """Run a scene to its end; the summary and the folder of the output."""

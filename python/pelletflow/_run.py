@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 from pelletflow import _pelletflow
 from pelletflow._recording import Recording, read
@@ -57,25 +57,30 @@ def run(
     output: str | os.PathLike[str] | None = None,
     threads: int | None = None,
     set: Mapping[str, Any] | None = None,
+    unfinished: Literal["refuse", "resume", "restart"] = "refuse",
     progress: Callable[[Progress], object] | None = None,
 ) -> RunResult:
     """Run a scene to its end and write its recording and summary.
 
-    Ctrl-C stops the run within a fraction of a second; the recording is finished first.
+    Ctrl-C stops the run within a fraction of a second; the recording is finished and a checkpoint
+    written first, so that ``unfinished="resume"`` goes on from there, to the same bits.
 
     Args:
         scene: A scene file, the same as a dictionary, or a `Scene`.
         output: Folder for what is written; ``out/NAME`` if None, with the name of the scene.
         threads: Threads at work [-]; one per core if None. The result does not depend on it.
         set: Values to put in place of the scene's, by dotted key: ``{"time.end": "1 s"}``.
+        unfinished: What becomes of an earlier run in the folder that did not end: ``"refuse"`` it,
+            ``"resume"`` from its last checkpoint, or ``"restart"``. With ``"resume"``, a run that
+            is over gives its summary again.
         progress: Called about 50 times a second; an exception that it raises stops the run.
 
     Raises:
         SceneError: The scene has mistakes; all are listed.
         PhysicsError: The run went wrong; the recording holds it up to there.
-        OutputError: A file could not be written.
+        OutputError: A file could not be written, or the folder holds another run.
 
     """
     observer = None if progress is None else lambda *values: progress(Progress(*values))
-    summary, folder = _pelletflow.run(scene, output, threads, set, observer)
+    summary, folder = _pelletflow.run(scene, output, threads, set, unfinished, observer)
     return RunResult(summary, folder)

@@ -127,3 +127,34 @@ def test_ctrl_c_stops_within_a_second(kind, drop_file, tmp_path):
     assert waited < 5.0
     if kind == "run":
         assert channels(tmp_path / "out/run.mcap")["/pellets"] > 0
+
+
+def test_a_run_that_was_stopped_goes_on_to_the_bits_of_an_unbroken_one(box, tmp_path):
+    unbroken = pf.run(box, output=tmp_path / "unbroken").summary
+
+    def stop(progress):
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        pf.run(box, output=tmp_path / "out", progress=stop)
+    with pytest.raises(pf.OutputError, match="unfinished"):
+        pf.run(box, output=tmp_path / "out")
+    with pytest.raises(pf.OutputError, match="another scene"):
+        pf.run(box, output=tmp_path / "out", set={"time.end": 0.3}, unfinished="resume")
+    result = pf.run(box, output=tmp_path / "out", unfinished="resume")
+    assert result.summary["state_hash"] == unbroken["state_hash"]
+    assert channels(result.output / "run.mcap") == channels(tmp_path / "unbroken" / "run.mcap")
+    again = pf.run(box, output=tmp_path / "out", unfinished="resume")
+    assert again.summary == result.summary
+
+
+def test_a_run_that_was_stopped_begins_anew_where_that_is_asked_for(box, tmp_path):
+    def stop(progress):
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        pf.run(box, output=tmp_path, progress=stop)
+    with pytest.raises(pf.InputError, match="`again` is none"):
+        pf.run(box, output=tmp_path, unfinished="again")
+    result = pf.run(box, output=tmp_path, unfinished="restart", set={"time.end": 0.05})
+    assert result.summary["time"]["simulated_s"] == pytest.approx(0.05, rel=1e-2)
