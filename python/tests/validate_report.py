@@ -125,6 +125,17 @@ def check_hits(page: Page) -> None:
     expect(abs(shown - when) < 0.001, f"the replay shows {shown} s for the hit at {when} s")
 
 
+def take(page: Page, picture: Path) -> None:
+    """A picture of the replay and the first plots, while the pellets flow."""
+    page.set_viewport_size({"width": 1280, "height": 1240})
+    page.locator("#scrub").evaluate(
+        "scrub => { scrub.value = 0.7 * scrub.max; scrub.dispatchEvent(new Event('input')); }"
+    )
+    page.wait_for_timeout(500)
+    page.screenshot(path=picture)
+    page.set_viewport_size({"width": SIZES["desktop"][0], "height": SIZES["desktop"][1]})
+
+
 def validate(chromium: str, path: Path, picture: Path | None) -> str:
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=chromium, args=ARGUMENTS)
@@ -138,7 +149,7 @@ def validate(chromium: str, path: Path, picture: Path | None) -> str:
         page, heard = opened(browser, path, "desktop", "light")
         pellets = page.evaluate("document.documentElement.dataset.pellets")
         if picture:
-            page.screenshot(path=picture)
+            take(page, picture)
         check_keys(page)
         pace = check_play(page)
         check_hits(page)
