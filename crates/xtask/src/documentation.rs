@@ -9,7 +9,7 @@ use anyhow::{Result, ensure};
 use serde_json::Value;
 
 /// Units that could be the name of an item; all others hold a sign that no name has.
-const UNITS: [&str; 10] = ["m", "s", "N", "kg", "J", "Pa", "W", "B", "Hz", "rad"];
+const UNITS: [&str; 11] = ["m", "s", "N", "kg", "J", "Pa", "W", "B", "Hz", "rad", "px"];
 
 /// Builds the documentation of every crate without a warning.
 pub(crate) fn check() -> Result<String> {
