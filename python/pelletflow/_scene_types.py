@@ -237,6 +237,9 @@ class OutletSpec(TypedDict, total=False):
 class OutputSpec(TypedDict, total=False):
     """What is recorded and how often."""
 
+    checkpoint_interval: float | str
+    """Time by the wall clock between checkpoints, from which a run that was killed can be resumed [s]; 10 min where none is given, and 0 where only an interruption is to write one."""
+
     frame_interval: float | str
     """Time between recorded frames [s]; chosen from the length of the run where none is given."""
 

@@ -6,7 +6,6 @@ import signal
 import subprocess
 import sys
 import threading
-import time
 from concurrent.futures import Future, ProcessPoolExecutor, ThreadPoolExecutor
 from multiprocessing import get_context
 
@@ -328,32 +327,3 @@ def test_a_sweep_that_is_killed_is_completed_by_calling_again(drop_file, tmp_pat
     assert again.stdout.splitlines()[-1] == f"executed {16 - len(done)}"
     assert stamps == {path: (path / "summary.json").stat().st_mtime_ns for path in done}
     assert not list((tmp_path / "out").glob("unfinished-*"))
-
-
-def test_two_processes_take_under_0_6_of_the_time_of_one(drop_file, tmp_path):
-    """64 short runs; the bound is that of two free cores, which others may use in part."""
-    if (os.cpu_count() or 1) < 2:
-        pytest.skip("two processes need two cores")
-
-    def seconds(workers, output):
-        with ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as pool:
-            # Processes that stand ready: what is measured is the sweep.
-            list(pool.map(time.sleep, [0.2] * workers))
-            began = time.perf_counter()
-            points = {"fill.one.at": [[[0, 0, 0.05 + 0.001 * i]] for i in range(64)]}
-            values = {"time.end": "4 s", "output.hits": False}
-            pf.sweep(drop_file, points, output=output, executor=pool, set=values)
-            middle = time.perf_counter()
-            list(pool.map(sum, [range(2_000_000)] * 64))
-            return np.array([middle - began, time.perf_counter() - middle])
-
-    ratios = []
-    for attempt in range(4):
-        one = seconds(1, tmp_path / f"one-{attempt}")
-        two = seconds(2, tmp_path / f"two-{attempt}")
-        sweep, processor = two / one
-        # Two free cores halve the work of the processor.
-        ratios.append(sweep / processor * 0.5)
-        if ratios[-1] < 0.6:
-            return
-    pytest.fail(f"two processes over one, on two free cores: {ratios}")

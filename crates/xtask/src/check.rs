@@ -18,8 +18,8 @@ pub(crate) fn run(report: &mut Report) -> Result<()> {
         passed(venv.tool("typos").current_dir(root()))
     })?;
     report.part("Python format", || {
-        process::run(ruff(&venv).args(["format", "--check", "python"]))?;
-        passed(ruff(&venv).args(["check", "python"]))
+        process::run(ruff(&venv).args(["format", "--check", "python", "benches"]))?;
+        passed(ruff(&venv).args(["check", "python", "benches"]))
     })?;
     report.part("dependencies", dependencies::check)?;
     report.part("advisories", dependencies::check_advisories)?;
