@@ -94,9 +94,9 @@ fn a_hit_alone_is_that_of_the_solver_of_impacts() {
                     let which = format!("{against:?}, e {restitution}, {speed} m/s, {phase}");
                     let share = |found: f64, exact: f64| (found / exact - 1.0).abs();
                     // The step is chosen for 0.1 % of the peak force.
-                    let error = share(hit.peak_force, exact.peak_force);
+                    let error = share(hit.peak_force, exact.outline.peak_force);
                     assert!(error < 1.0e-3, "{which}: peak {error:.5}");
-                    let error = share(hit.peak_pressure, exact.peak_pressure);
+                    let error = share(hit.peak_pressure, exact.outline.peak_pressure);
                     assert!(error < 1.0e-3, "{which}: pressure {error:.5}");
                     assert!(share(hit.approach_speed, speed) < 1.0e-6, "{which}");
                     let brought = hit.approach_energy();
@@ -106,7 +106,7 @@ fn a_hit_alone_is_that_of_the_solver_of_impacts() {
                     assert!(error < 1.0e-2, "{which}: lost {error:.5}");
                     let step = hit.duration / hit.steps as f64;
                     // Damped bodies still overlap when their force is gone.
-                    let longer = (hit.duration - exact.contact_time) / step;
+                    let longer = (hit.duration - exact.outline.contact_time) / step;
                     let most = if restitution == 1.0 { 1.01 } else { 6.0 };
                     assert!((-1.01..most).contains(&longer), "{which}: {longer} steps");
                     let is_wall = against == Against::Floor;
@@ -130,9 +130,9 @@ fn a_softened_hit_tells_its_force_at_true_stiffness() {
         ore.true_youngs_modulus = Some(100.0 * ore.material.youngs_modulus);
         let (hit, soft) = hit_of(setup, restitution, 2.0, Against::Pellet, 0.3);
         // Both bodies are softened a hundred times, and force goes as the power 2/5 of the modulus.
-        let exact = 100.0_f64.powf(0.4) * soft.peak_force;
+        let exact = 100.0_f64.powf(0.4) * soft.outline.peak_force;
         assert!((hit.true_force() / exact - 1.0).abs() < 1.0e-6);
-        assert!((hit.peak_force / soft.peak_force - 1.0).abs() < 1.0e-3);
+        assert!((hit.peak_force / soft.outline.peak_force - 1.0).abs() < 1.0e-3);
     }
 }
 

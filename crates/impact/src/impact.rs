@@ -39,34 +39,16 @@ pub struct Sample {
 ///     speed: 5.0,
 /// };
 /// let impact = Impact::new(&hit, Damping::Restitution(0.5), None)?;
-/// assert!(impact.peak_force < hit.peak_force());
-/// assert!((impact.restitution - 0.5).abs() < 1.0e-6);
+/// assert!(impact.outline.peak_force < hit.peak_force());
+/// assert!((impact.outline.restitution - 0.5).abs() < 1.0e-6);
 /// # Ok::<(), pelletflow_impact::ImpactError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Impact {
     /// Normal speed of approach [m/s].
     pub speed: f64,
-    /// Greatest normal force [N].
-    pub peak_force: f64,
-    /// Time from first touch to release [s].
-    pub contact_time: f64,
-    /// Greatest approach of the two bodies [m].
-    pub max_approach: f64,
-    /// Radius of the contact circle at the greatest approach, `√(R* δ)` [m].
-    pub contact_radius: f64,
-    /// Greatest pressure, in the middle of the contact under the greatest force [Pa].
-    pub peak_pressure: f64,
-    /// Rebound speed over approach speed, along the normal [-].
-    pub restitution: f64,
-    /// Impulse along the normal, `m* v (1 + e)` [N·s].
-    pub impulse: f64,
-    /// `k_P`, the impulse over greatest force times contact time [-].
-    pub specific_impulse: f64,
-    /// `χ_P`, the greatest force over the contact time [N/s].
-    pub peak_parameter: f64,
-    /// `τ_max`, the moment of the greatest force over the contact time [-].
-    pub asymmetry: f64,
+    /// Its numbers.
+    pub outline: Outline,
     /// The paper's bell curve, fitted to the force.
     pub bell: BellFit,
     /// A power of the sine, fitted to the force.
@@ -123,22 +105,13 @@ impl Impact {
             .collect();
         Ok(Self {
             speed: hit.speed,
-            peak_force: outline.peak_force,
-            contact_time: outline.contact_time,
-            max_approach: outline.max_approach,
-            contact_radius: outline.contact_radius,
-            peak_pressure: outline.peak_pressure,
-            restitution: outline.restitution,
-            impulse: outline.impulse,
-            specific_impulse: outline.specific_impulse,
-            peak_parameter: outline.peak_parameter,
-            asymmetry: outline.asymmetry,
             bell: BellFit::new(&shape, outline.asymmetry)?,
             sine: SineFit::new(&shape)?,
             samples,
             rebound: approach
                 .map(|approach| approach.follow(&head_on, &moments, STRIDE, &units))
                 .transpose()?,
+            outline,
         })
     }
 }

@@ -151,9 +151,9 @@ mod tests {
                 let hit = ElasticImpact { speed, ..HIT };
                 let outline = outlines.of(&hit, damping).expect("a hit that ends");
                 let impact = Impact::new(&hit, damping, None).expect("a hit that ends");
-                assert_eq!(outline.peak_force, impact.peak_force);
-                assert_eq!(outline.restitution, impact.restitution);
-                assert_eq!(outline.asymmetry, impact.asymmetry);
+                assert_eq!(outline.peak_force, impact.outline.peak_force);
+                assert_eq!(outline.restitution, impact.outline.restitution);
+                assert_eq!(outline.asymmetry, impact.outline.asymmetry);
             }
         }
         // The relaxation time counts in the times of the hit, which change with its speed.

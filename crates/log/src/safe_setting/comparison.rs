@@ -2,7 +2,7 @@
 
 use crate::breakage::{Breakage, BreakageRequest, Breaking, Group, wall_name};
 use pelletflow_core::MaterialPair;
-use pelletflow_impact::{Damping, ElasticImpact, Impact, Interval, SafeSpeed, StrengthLaw};
+use pelletflow_impact::{Damping, ElasticImpact, Interval, Outlines, SafeSpeed, StrengthLaw};
 use pelletflow_sim::{Cause, Setup};
 
 /// The closed form for a hit of the kind that breaks most, at true stiffness.
@@ -63,7 +63,7 @@ impl Comparison {
         let moduli = [hit.effective_youngs_modulus; 2];
         let safe = SafeSpeed::new(strength, risk, breaking.diameter_m, &hit, moduli).ok()?;
         let damping = Damping::Restitution(properties.restitution);
-        let damped = Impact::new(&hit, damping, None).ok()?;
+        let damped = Outlines::default().of(&hit, damping).ok()?;
         Some(Self {
             closed_form: ClosedForm {
                 partner: group.name.clone(),

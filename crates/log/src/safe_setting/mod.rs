@@ -193,11 +193,14 @@ impl Search<'_> {
                 return Ok(None);
             };
             let ends = bracket.map(|index| self.runs[index].value);
-            if ends[1] - ends[0] <= width {
+            let middle = f64::midpoint(ends[0], ends[1]);
+            let is_narrow = ends[1] - ends[0] <= width;
+            // No number lies between neighbors.
+            if is_narrow || middle <= ends[0] || middle >= ends[1] {
                 let shares = bracket.map(|index| share(self.runs[index].breakage.believed()));
                 return Ok(Some(between(ends, shares, self.request.risk)));
             }
-            self.visit(0.5 * (ends[0] + ends[1]))?;
+            self.visit(middle)?;
         }
     }
 

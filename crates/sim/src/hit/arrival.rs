@@ -2,7 +2,7 @@
 
 use crate::setup::Setup;
 use pelletflow_core::{MaterialPair, PairProperties};
-use pelletflow_impact::{Damping, ElasticImpact, Impact};
+use pelletflow_impact::{Damping, ElasticImpact, Outlines};
 use std::collections::BTreeMap;
 
 /// Two materials that meet, by their true stiffness.
@@ -58,8 +58,10 @@ impl TruePair {
             speed: 1.0,
         };
         // Where damping is so strong that the solver finds no release, the elastic force bounds it.
-        let damped_share = Impact::new(&any, Damping::Restitution(properties.restitution), None)
-            .map_or(1.0, |impact| impact.peak_force / any.peak_force());
+        let damping = Damping::Restitution(properties.restitution);
+        let damped_share = Outlines::default()
+            .of(&any, damping)
+            .map_or(1.0, |outline| outline.peak_force / any.peak_force());
         Self {
             effective_youngs_modulus,
             damped_share,

@@ -80,8 +80,8 @@ fn shape(title: &str, hits: &[Followed]) -> Chart {
                 .iter()
                 .map(|sample| {
                     [
-                        sample.time / impact.contact_time,
-                        sample.force / impact.peak_force,
+                        sample.time / impact.outline.contact_time,
+                        sample.force / impact.outline.peak_force,
                     ]
                 })
                 .collect(),
@@ -113,7 +113,7 @@ pub(super) fn taus() -> impl Iterator<Item = f64> {
 fn peak_force(title: &str, hits: &[Followed]) -> Chart {
     let mut series: Vec<Series> = Vec::new();
     for Followed { case, impact } in hits {
-        let point = [case.arrival.speed, impact.peak_force];
+        let point = [case.arrival.speed, impact.outline.peak_force];
         match series.iter_mut().find(|series| series.label == case.group) {
             Some(series) => series.points.push(point),
             None => series.push(Series {
