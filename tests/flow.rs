@@ -3,10 +3,10 @@
 mod common;
 
 use common::{GRAVITY, RADIUS, floor, one, pellet, run_until, setup, simulation, smooth, wall};
-use pelletflow::core::{PairProperties, Shape, Vec3};
+use pelletflow::core::{Bounds, PairProperties, Shape, Vec3};
 use pelletflow::sim::{
-    Fill, FillAmount, Inlet, Model, Motion, Outlet, Rate, Schedule, Seats, Setup, Simulation,
-    StepError, StepRequest,
+    Domain, Fill, FillAmount, Inlet, Model, Motion, Outlet, Rate, Schedule, Seats, Setup,
+    Simulation, StepError, StepRequest,
 };
 
 const ROUGH: PairProperties = PairProperties {
@@ -145,6 +145,11 @@ fn a_pellet_that_leaves_the_domain_fails_the_run_with_place_and_speed() {
     assert!((position.z + 2.0).abs() < 2.0e-3 && position.z < -2.0);
     assert!((speed / (2.0 * 9.81 * 2.0_f64).sqrt() - 1.0).abs() < 1.0e-3);
     assert!(nearest_wall.contains("shelf"));
+    assert!(
+        error
+            .to_string()
+            .contains(&format!("at step {}", simulation.step_count()))
+    );
     assert_eq!(simulation.mass_ledger().lost.count, 1);
 }
 
@@ -295,4 +300,49 @@ fn an_explosion_stops_the_run_with_the_bodies_and_the_cure() {
     let error = simulation.advance(1000).expect_err("it goes too deep");
     assert!(matches!(error, StepError::Overlap { .. }), "{error}");
     assert!(error.to_string().contains("wall `floor`") && error.to_string().contains("stiffen"));
+}
+
+#[test]
+fn a_pellet_too_fast_for_the_step_stops_the_run_with_its_speed_and_the_cure() {
+    let mut setup = setup(smooth(1.0), smooth(1.0));
+    // It falls through a periodic box for ever, and so faster than from its top to its bottom.
+    setup.gravity = 1.0e3 * GRAVITY;
+    setup.domain = Domain {
+        bounds: Bounds {
+            min: Vec3::repeat(-0.2),
+            max: Vec3::repeat(0.2),
+        },
+        is_periodic: [true; 3],
+    };
+    setup.fills = vec![one("stone", Vec3::zeros(), Vec3::zeros())];
+    let mut simulation = simulation(setup);
+    let error = simulation.advance(100_000).expect_err("nothing stops it");
+    let StepError::StepTooLarge {
+        speed,
+        limit,
+        expected,
+        seconds,
+        ..
+    } = error
+    else {
+        panic!("{error}")
+    };
+    assert!(limit > 2.0 * expected, "{error}");
+    // Half of its radius a step, at which it could pass a thin wall.
+    assert!(
+        (limit * seconds / (0.5 * RADIUS) - 1.0).abs() < 1.0e-9,
+        "{error}"
+    );
+    // In free flight it is looked at every 64 steps.
+    assert!(speed > limit && speed < 1.1 * limit, "{error}");
+    let told = error.to_string();
+    for part in [
+        "pellet 0 moves at",
+        "at step ",
+        "t = ",
+        "too large beyond",
+        "lower `time.peak_force_error` or `time.step`",
+    ] {
+        assert!(told.contains(part), "{told}");
+    }
 }

@@ -5,6 +5,7 @@ mod common;
 use common::{GRAVITY, floor, setup, simulation_on, wall};
 use pelletflow::core::{PairProperties, Shape, UnitVector3, Vec3};
 use pelletflow::sim::{Fill, FillAmount, Model, Seats, Setup, Simulation, SizeDistribution};
+use proptest::prelude::*;
 
 /// Side of the square bin [m].
 const SIDE: f64 = 0.12;
@@ -118,25 +119,38 @@ fn a_deposit_starts_denser_than_a_lattice_and_settles_sooner() {
     assert!(soon < 0.6 * late, "{soon} s, {late} s");
 }
 
-#[test]
-fn a_deposit_of_many_sizes_starts_without_overlap_and_inside_its_region() {
-    for gravity in [GRAVITY, Vec3::new(9.0, 1.0, -2.0), Vec3::zeros()] {
-        let mut setup = bin(screened(), deposit, 3.0);
-        setup.gravity = gravity;
+proptest! {
+    // Each is a bed of some hundred pellets.
+    #![proptest_config(ProptestConfig::with_cases(32))]
+
+    #[test]
+    fn any_bed_starts_without_overlap_inside_its_region_and_weighs_what_was_asked(
+        seed in any::<u64>(),
+        [min, max] in [0.005..0.015, 0.005..0.015_f64].prop_map(|[one, other]| [one.min(other), one.max(other)]),
+        mass in 0.02..0.4,
+        is_deposit in any::<bool>(),
+        gravity in [-10.0..10.0, -10.0..10.0, -10.0..10.0_f64],
+    ) {
+        let seats = if is_deposit { deposit } else { lattice };
+        let mut setup = bin(SizeDistribution::Uniform { min_diameter: min, max_diameter: max }, seats, mass);
+        setup.seed = seed;
+        setup.gravity = Vec3::from(gravity);
         let simulation = simulation_on(setup, 1);
         let pellets: Vec<_> = simulation.pellets().collect();
-        let mass: f64 = pellets.iter().map(|pellet| pellet.mass).sum();
-        assert!((3.0..3.02).contains(&mass), "{mass}");
+        let weighed: f64 = pellets.iter().map(|pellet| pellet.mass).sum();
+        let largest = pellets.iter().map(|pellet| pellet.mass).fold(0.0, f64::max);
+        // Up to the next whole pellet, and the rounding of a sum.
+        prop_assert!(weighed > 0.999_999 * mass && weighed < mass + largest, "{weighed} of {mass}");
         for (index, a) in pellets.iter().enumerate() {
             for b in &pellets[..index] {
                 let gap = (a.position - b.position).norm() - a.radius - b.radius;
-                assert!(gap > 0.0, "{gap}");
+                prop_assert!(gap > 0.0, "{gap}");
             }
             let inside = 0.5 * SIDE - a.radius;
-            assert!(a.position.x.abs() < inside && a.position.y.abs() < inside);
-            assert!(a.position.z > a.radius);
+            prop_assert!(a.position.x.abs() < inside && a.position.y.abs() < inside);
+            prop_assert!(a.position.z > a.radius);
         }
-        assert_eq!(simulation.contact_statistics().open, 0);
+        prop_assert_eq!(simulation.contact_statistics().open, 0);
     }
 }
 

@@ -148,7 +148,7 @@ pub(crate) fn flow() -> Vec<Place> {
 
 fn step(setup: &Setup) -> f64 {
     match setup.step {
-        StepRequest::Fixed(seconds) => seconds,
+        StepRequest::Fixed(seconds) | StepRequest::Unchecked(seconds) => seconds,
         StepRequest::PeakForceError(_) => f64::NAN,
     }
 }

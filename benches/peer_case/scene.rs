@@ -85,7 +85,7 @@ impl Scene {
         let material = &setup.materials[0].material;
         let pair = &setup.pairs[0].1;
         let step = match setup.step {
-            StepRequest::Fixed(seconds) => seconds,
+            StepRequest::Fixed(seconds) | StepRequest::Unchecked(seconds) => seconds,
             StepRequest::PeakForceError(_) => f64::NAN,
         };
         let bounds = &setup.domain.bounds;

@@ -1,8 +1,9 @@
 """Multi-body flows of iron-ore pellets.
 
 >>> import pelletflow as pf
->>> result = pf.run("hopper.toml", output="out", set={"time.end": "1 s"})  # doctest: +SKIP
->>> result.summary["contacts"]["max_force_n"]  # doctest: +SKIP
+>>> result = pf.run("chute.toml", output="out", set={"time.end": "20 ms", "expect": {}})
+>>> result.summary["bodies"]["lost"]
+0
 
 SI units throughout; arrays are NumPy arrays of float64 with one row per pellet.
 """
@@ -11,6 +12,7 @@ from pelletflow._impact import Impact, SafeSpeed, impact, safe_speed
 from pelletflow._pelletflow import Simulation, __version__
 from pelletflow._recording import Recording, read
 from pelletflow._run import Progress, RunResult, run
+from pelletflow._safe_setting import SafeSetting, safe_setting
 from pelletflow._scene import Scene
 from pelletflow._score import Score, score
 from pelletflow._sweep import SweepResult, sweep
@@ -37,6 +39,7 @@ __all__ = [
     "Recording",
     "RecordingError",
     "RunResult",
+    "SafeSetting",
     "SafeSpeed",
     "Scene",
     "SceneError",
@@ -49,6 +52,7 @@ __all__ = [
     "impact",
     "read",
     "run",
+    "safe_setting",
     "safe_speed",
     "score",
     "sweep",

@@ -206,16 +206,16 @@ def safe_speed(
     given = _arrivals(
         pellet, onto, 1.0, 0.0, diameter, density, youngs_modulus, shear_modulus, poisson_ratio
     )
-    modulus = given["youngs_modulus"]
     is_own = youngs_modulus is not None or shear_modulus is not None
     if youngs_modulus_range is None and not is_own and pellet is not None:
         youngs_modulus_range = _named(pellet, "pellet")["youngs_modulus_range"]
-    least, greatest = (modulus, modulus) if youngs_modulus_range is None else youngs_modulus_range
-    given |= {"risk": risk, "least": least, "greatest": greatest} | strength_arrays
+    given |= {"risk": risk} | strength_arrays
+    if youngs_modulus_range is not None:
+        given["least"], given["greatest"] = youngs_modulus_range
     shape, arrays = _broadcast(given)
     strengths |= {name: arrays.pop(name) for name in strength_arrays}
-    edges = [arrays.pop(name) for name in ("risk", "least", "greatest")]
-    columns = _pelletflow.safe_speeds(arrays, strengths, *edges)
+    ends = [arrays.pop(name) for name in ("least", "greatest") if name in arrays]
+    columns = _pelletflow.safe_speeds(arrays, strengths, arrays.pop("risk"), ends or None)
     return SafeSpeed(**{name: column.reshape(shape) for name, column in columns})
 
 
@@ -276,16 +276,16 @@ def _arrivals(
         return own
 
     poisson = value("poisson_ratio", poisson_ratio)
-    if shear_modulus is not None:
+    if shear_modulus is None:
+        stiffness = {"youngs_modulus": value("youngs_modulus", youngs_modulus)}
+    else:
         _one_of(youngs_modulus=youngs_modulus, shear_modulus=shear_modulus)
-        shear = _floats("shear_modulus", shear_modulus)
-        youngs_modulus = 2.0 * shear * (1.0 + _floats("poisson_ratio", poisson))
-    return {
+        stiffness = {"shear_modulus": shear_modulus}
+    return stiffness | {
         "speed": speed,
         "angle": angle,
         "diameter": value("diameter", diameter),
         "density": value("density", density),
-        "youngs_modulus": value("youngs_modulus", youngs_modulus),
         "poisson_ratio": poisson,
         "onto_youngs_modulus": surface["youngs_modulus"],
         "onto_poisson_ratio": surface["poisson_ratio"],

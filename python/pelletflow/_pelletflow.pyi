@@ -15,20 +15,23 @@ __all__ = [
     "Batch",
     "Simulation",
     "__version__",
-    "card_yield_pressure",
     "command",
     "impacts",
     "library",
     "mean_interval",
+    "parts_of",
     "read",
+    "restored",
     "run",
+    "safe_setting",
     "safe_speeds",
     "scene",
+    "scene_tables",
+    "scene_value",
     "schema",
     "score_energy",
     "scores",
     "table_kinds",
-    "toml_table",
 ]
 
 _Floats = npt.NDArray[np.float64]
@@ -47,10 +50,18 @@ def run(
     """Run a scene to its end; the summary and the folder of the output."""
 
 def scene(scene: _Path | Mapping[str, Any], set: Mapping[str, Any] | None = None) -> dict[str, Any]:
-    """Validate a scene: its name, title, hash, text with all that was set, and notes."""
+    """Validate a scene: its name, title, hash, seed, text with all that was set, and notes."""
 
-def toml_table(text: str) -> dict[str, Any]:
-    """Tables of a TOML text as dictionaries."""
+def scene_tables(
+    scene: _Path | Mapping[str, Any], set: Mapping[str, Any] | None = None
+) -> dict[str, Any]:
+    """Tables of a scene with what is set in them, not validated."""
+
+def scene_value(key: str, value: object) -> Any:
+    """Return a value as a scene holds it, shared with nothing; `key` says where it stands."""
+
+def parts_of(key: str) -> list[str]:
+    """Parts of a dotted key."""
 
 def schema() -> dict[str, Any]:
     """JSON Schema of a scene."""
@@ -73,10 +84,21 @@ def safe_speeds(
     arrivals: Mapping[str, _Floats],
     strengths: Mapping[str, Any],
     risk: _Floats,
-    least_modulus: _Floats,
-    greatest_modulus: _Floats,
+    moduli: Sequence[_Floats] | None,
 ) -> list[tuple[str, _Floats]]:
-    """Load that breaks a share of the pellets and the speed that reaches it, with intervals."""
+    """Load that breaks a share of the pellets and the speed that reaches it, with intervals.
+
+    `moduli` are the least and the greatest Young's modulus [Pa]; the pellet's own if None.
+    """
+
+def safe_setting(
+    scene: _Path | Mapping[str, Any],
+    set: Mapping[str, Any] | None,
+    strengths: Mapping[str, Any],
+    search: Mapping[str, Any],
+    observer: Callable[[int, float], object] | None,
+) -> dict[str, Any]:
+    """Value of a setting of a scene at which a share of the pellets breaks, by whole runs."""
 
 def scores(
     path: _Path,
@@ -84,20 +106,24 @@ def scores(
     yield_pressure: _Floats | None,
     count: int,
     places: int,
-) -> list[dict[str, Any]]:
-    """Pellets broken by the hits of a recording, for each of `count` strengths."""
+) -> list[tuple[float, list[float], dict[str, Any]]]:
+    """Share broken by the hits of a recording, its interval and all else, for `count` strengths."""
 
-def score_energy(path: _Path, card: _Path, places: int) -> list[dict[str, Any]]:
-    """Pellets broken by the hits of a recording, by the fracture energy of a card."""
-
-def card_yield_pressure(card: _Path) -> float | None:
-    """Yield pressure that a strength card tells [Pa]."""
+def score_energy(
+    path: _Path, card: _Path, places: int
+) -> list[tuple[float, list[float], dict[str, Any]]]:
+    """Tell the same by the fracture energy of a card."""
 
 def mean_interval(values: _Floats, confidence: float) -> list[float]:
     """Mean of what replicates gave with its interval: low, best, high [unit of the values]."""
 
 def command(arguments: Sequence[str]) -> int:
     """Run the command line, the program's name first; its exit code [-]."""
+
+def restored(
+    scene: tuple[str, list[tuple[Path, bytes]]], threads: int | None, hits: bool, state: bytes
+) -> Simulation:
+    """Make a simulation of what it was pickled as."""
 
 @final
 class Batch:
@@ -135,8 +161,14 @@ class Batch:
 class Simulation:
     """A run in memory, stepped by hand.
 
-    The arrays are copies made in one pass, with one row per pellet inside, in order of `ids`:
-    the next step may lay the pellets anew in memory, which a view would show in disorder.
+    The arrays are copies, with one row per pellet inside, in order of `ids`: what was taken before
+    a step is not changed by it.
+
+    >>> import pelletflow as pf
+    >>> simulation = pf.Simulation("chute.toml", threads=1)
+    >>> simulation.step(10)
+    >>> simulation.step_count
+    10
     """
 
     def __new__(
@@ -153,6 +185,9 @@ class Simulation:
         `set` puts values in place of the scene's, by dotted key: ``{"time.end": "1 s"}``.
         With `hits` each contact is followed, for `take_hits`.
         """
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the simulation as its scene and its state, for the same version alone."""
 
     def step(
         self,

@@ -99,8 +99,11 @@ def read(path: str | os.PathLike[str], *, only: Iterable[str] | None = None) -> 
     Of a file that is cut off, it reads what is whole.
 
     >>> import pelletflow as pf
-    >>> recording = pf.read("out/hopper/run.mcap", only=["hits"])  # doctest: +SKIP
-    >>> recording.hits["peak_force_n"].max()  # doctest: +SKIP
+    >>> values = {"time.end": "20 ms", "expect": {}}
+    >>> output = pf.run("chute.toml", output="out/chute", set=values).output
+    >>> recording = pf.read(output / "run.mcap", only=["bodies"])
+    >>> recording.bodies.units["speed_m_per_s"]
+    'm/s'
 
     Args:
         path: The recording, ``run.mcap``, or the folder of the run.

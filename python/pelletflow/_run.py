@@ -65,6 +65,12 @@ def run(
     Ctrl-C stops the run within a fraction of a second; the recording is finished and a checkpoint
     written first, so that ``unfinished="resume"`` goes on from there, to the same bits.
 
+    >>> import pelletflow as pf
+    >>> values = {"time.end": "20 ms", "expect": {}}
+    >>> result = pf.run("chute.toml", output="out/chute", set=values)
+    >>> result.summary["ended"], (result.output / "run.mcap").exists()
+    ('end-time', True)
+
     Args:
         scene: A scene file, the same as a dictionary, or a `Scene`.
         output: Folder for what is written; ``out/NAME`` if None, with the name of the scene.

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import html
 import os
-import re
 from collections.abc import Iterator, Mapping
 from copy import deepcopy
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from pelletflow import _pelletflow
+from pelletflow.errors import SceneError
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -48,8 +48,13 @@ class Scene(Mapping[str, Any]):
     """
 
     def __init__(self, **tables: Unpack[SceneSpec]) -> None:
-        """Take the tables of a scene; they are validated by `check`, or when it is run."""
-        self._base: Base = deepcopy(dict(tables))
+        """Take the tables of a scene; they are validated by `check`, or when it is run.
+
+        Raises:
+            SceneError: A value is nothing that a scene can hold.
+
+        """
+        self._base: Base = _pelletflow.scene_value("", dict(tables))
         self._set: dict[str, Any] = {}
 
     @classmethod
@@ -64,32 +69,46 @@ class Scene(Mapping[str, Any]):
         """Return another scene with the same values."""
         scene = type(self).__new__(type(self))
         scene._base = deepcopy(self._base)
-        scene._set = dict(self._set)
+        scene._set = deepcopy(self._set)
         return scene
 
     def __setitem__(self, key: str, value: Any) -> None:
-        """Set a value by its dotted key, such as ``walls.chute.angle``."""
-        if isinstance(self._base, dict) and "." not in key:
-            self._base[key] = deepcopy(value)
-            inner = [name for name in self._set if name.startswith(f"{key}.")]
-            for name in inner:
-                del self._set[name]
+        """Set a value by its dotted key, such as ``walls.chute.shape.radius``.
+
+        A place in a list is a number: ``walls.chute.shape.of.0``, counted from 0.
+        What was set before in a table that is set as a whole is gone.
+
+        Raises:
+            SceneError: The key is no dotted key, or the value nothing that a scene can hold.
+
+        """
+        set_last = {key: _pelletflow.scene_value(key, value)}
+        if isinstance(self._base, Mapping):
+            self._base = _pelletflow.scene_tables(self._base, set_last)
         else:
-            self._set.pop(key, None)
-            self._set[key] = value
+            # What cannot be set alone cannot be set in a file.
+            _pelletflow.scene_tables({}, set_last)
+            self._set = merged(self._set, set_last)
 
     def __getitem__(self, key: str) -> Any:
-        """Return a value or a table by its dotted key, as it was written.
+        """Return a copy of a value or a table by its dotted key, as it was written.
 
         Raises:
             KeyError: The scene has no such key.
 
         """
+        try:
+            parts = _pelletflow.parts_of(key)
+        except SceneError:
+            raise KeyError(key) from None
         value: Any = self._tables()
-        for part in _parts(key):
-            if not isinstance(value, Mapping) or part not in value:
+        for part in parts:
+            if isinstance(value, Mapping) and part in value:
+                value = value[part]
+            elif isinstance(value, list) and part.isdecimal() and int(part) < len(value):
+                value = value[int(part)]
+            else:
                 raise KeyError(key)
-            value = value[part]
         return value
 
     def __iter__(self) -> Iterator[str]:
@@ -149,17 +168,7 @@ class Scene(Mapping[str, Any]):
 
     def _tables(self) -> dict[str, Any]:
         """Return the tables with all that was set in them."""
-        if isinstance(self._base, Mapping):
-            tables = deepcopy(dict(self._base))
-        else:
-            tables = _pelletflow.toml_table(Path(self._base).read_text(encoding="utf-8"))
-        for key, value in self._set.items():
-            *path, last = _parts(key)
-            table = tables
-            for part in path:
-                table = table.setdefault(part, {})
-            table[last] = value
-        return tables
+        return _pelletflow.scene_tables(self._base, self._set)
 
 
 #: Whatever tells a scene.
@@ -170,10 +179,10 @@ def base_and_set(scene: SceneLike, values: Mapping[str, Any] | None) -> tuple[Ba
     """Return what the Rust module reads, and what it puts in place of the scene's values."""
     if isinstance(scene, Scene):
         base, own = scene._base_and_set()
-        return base, own | dict(values or {})
+        return base, merged(own, values or {})
     return scene, dict(values or {})
 
 
-def _parts(key: str) -> list[str]:
-    """Parts of a dotted key; a name in quotes may hold dots."""
-    return [part.strip('"') for part in re.findall(r'"[^"]*"|[^."]+', key)]
+def merged(first: Mapping[str, Any], later: Mapping[str, Any]) -> dict[str, Any]:
+    """Values to set, the later ones last, because of two that meet the last one counts."""
+    return {key: value for key, value in first.items() if key not in later} | dict(later)

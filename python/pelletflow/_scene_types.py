@@ -243,6 +243,12 @@ class OutputSpec(TypedDict, total=False):
     frame_interval: float | str
     """Time between recorded frames [s]; chosen from the length of the run where none is given."""
 
+    frames_around_worst_hits: float | str
+    """Once the run is over, only frames are kept that are no farther than this from one of its 20 hardest hits, beside the first and the last [s]; all where nothing is said. With `frames_of_last`, the frames of both are kept."""
+
+    frames_of_last: float | str
+    """Once the run is over, only frames of its last stretch are kept, of this length, beside the first and the last [s]; all where nothing is said."""
+
     hits: bool
     """Whether every contact is followed from first touch to release and recorded; true where nothing is said."""
 

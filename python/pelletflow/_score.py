@@ -65,7 +65,10 @@ def score(
     The recording is read once, for all strengths.
 
     >>> import pelletflow as pf
-    >>> pf.score("out/tower", strength=[2000, 2450], scatter=0.3)  # doctest: +SKIP
+    >>> values = {"time.end": "0.25 s", "expect": {}, "output.hits_above": "1 N"}
+    >>> chute = pf.run("chute.toml", output="out/chute", set=values).output
+    >>> pf.score(chute, strength=[1e3, 1e9]).share
+    array([0., 0.])
 
     Args:
         recording: The recording, ``run.mcap``, or the folder of the run.
@@ -101,8 +104,6 @@ def score(
                 law,
             )
         return _gathered((), _pelletflow.score_energy(path, strength_card, places))
-    if yield_pressure is None and strength_card is not None:
-        yield_pressure = _pelletflow.card_yield_pressure(strength_card)
     if yield_pressure is not None:
         given = given | {"yield_pressure": yield_pressure}
     shape, arrays = _broadcast(given) if given else ((), {})
@@ -111,18 +112,15 @@ def score(
     return _gathered(shape, _pelletflow.scores(path, strengths | arrays, pressure, count, places))
 
 
-def _gathered(shape: tuple[int, ...], details: list[dict[str, Any]]) -> Score:
-    told = [
-        (answer["is_softened"] and answer["broken_at_true_stiffness"]) or answer["broken"]
-        for answer in details
-    ]
-
+def _gathered(
+    shape: tuple[int, ...], answers: list[tuple[float, list[float], dict[str, Any]]]
+) -> Score:
     def column(values: list[float]) -> Floats:
         return np.array(values, dtype=np.float64).reshape(shape)
 
     return Score(
-        column([broken["share"] for broken in told]),
-        column([broken["interval"][0] for broken in told]),
-        column([broken["interval"][1] for broken in told]),
-        details,
+        column([share for share, _, _ in answers]),
+        column([low for _, (low, _), _ in answers]),
+        column([high for _, (_, high), _ in answers]),
+        [details for _, _, details in answers],
     )

@@ -1,8 +1,12 @@
 """Scenes that the tests share."""
 
+import faulthandler
 from typing import Any
 
 import pytest
+
+#: After so long a test that waits for something hangs, however busy the machine is [s].
+HANG = 300.0
 
 GRAVITY = 9.81
 
@@ -32,6 +36,14 @@ def drop() -> dict[str, Any]:
         "domain": {"min": [-1, -1, -1], "max": [1, 1, 1]},
         "time": {"end": 0.2, "peak_force_error": 1e-3},
     }
+
+
+@pytest.fixture
+def hang_guard():
+    """End the tests with a trace where one waits for what never comes; no claim on speed."""
+    faulthandler.dump_traceback_later(HANG, exit=True)
+    yield HANG
+    faulthandler.cancel_dump_traceback_later()
 
 
 @pytest.fixture

@@ -19,8 +19,18 @@ def test_every_mistake_of_a_file_has_its_line_and_key(drop_file):
     for key, mistake in found.items():
         assert mistake.file == str(drop_file)
         assert mistake.line is not None
+        # The column is known of what is no TOML alone.
+        assert mistake.column is None
         assert key.split(".")[-1] in lines[mistake.line - 1]
         assert mistake.message in str(caught.value)
+
+
+def test_what_is_no_toml_is_told_with_line_and_column(drop_file):
+    drop_file.write_text("[scene\n", encoding="utf-8")
+    with pytest.raises(pf.SceneError) as caught:
+        pf.Simulation(drop_file)
+    (mistake,) = caught.value.mistakes
+    assert (mistake.line, mistake.column) == (1, 7)
 
 
 def test_mistakes_of_a_dictionary_have_keys_but_no_lines(drop):

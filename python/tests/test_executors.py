@@ -3,7 +3,6 @@
 import os
 import signal
 import threading
-import time
 from concurrent.futures import Future, ProcessPoolExecutor
 from multiprocessing import get_context
 from pathlib import Path
@@ -38,6 +37,28 @@ def test_a_dask_cluster_of_two_processes_gives_the_same_table(drop, expected, tm
     assert result.table == expected
 
 
+class AfterSome:
+    """An executor that does something once, when a number of its calls is done."""
+
+    def __init__(self, executor, count, action):
+        self.executor = executor
+        self.left = count
+        self.action = action
+        self.lock = threading.Lock()
+
+    def submit(self, function, /, *arguments) -> Future:
+        future = self.executor.submit(function, *arguments)
+        future.add_done_callback(self.count)
+        return future
+
+    def count(self, _future) -> None:
+        with self.lock:
+            self.left -= 1
+            is_due = self.left == 0
+        if is_due:
+            self.action()
+
+
 def test_a_killed_dask_worker_loses_no_result_and_repeats_only_its_own_runs(drop, tmp_path):
     distributed = pytest.importorskip("distributed")
     # Long enough that both workers are busy when one is killed.
@@ -54,19 +75,13 @@ def test_a_killed_dask_worker_loses_no_result_and_repeats_only_its_own_runs(drop
         pids = list(client.run(os.getpid).values())
 
         def kill_one() -> None:
-            while len(stamps) < 4:
-                time.sleep(0.05)
-                for path in folder.glob("*/summary.json"):
-                    if not path.parent.name.startswith("unfinished-"):
-                        stamps[path.parent.name] = path.stat().st_mtime_ns
+            for path in folder.glob("*/summary.json"):
+                if not path.parent.name.startswith("unfinished-"):
+                    stamps[path.parent.name] = path.stat().st_mtime_ns
             os.kill(pids[0], signal.SIGKILL)
 
-        killer = threading.Thread(target=kill_one)
-        killer.start()
-        result = pf.sweep(
-            drop, points, output=folder, measures=PEAK, executor=client.get_executor()
-        )
-        killer.join()
+        executor = AfterSome(client.get_executor(), 4, kill_one)
+        result = pf.sweep(drop, points, output=folder, measures=PEAK, executor=executor)
     assert 4 <= len(stamps) < 12
     assert result.table["runs"].tolist() == [1] * 12
     # What was done when the worker died was not run again.

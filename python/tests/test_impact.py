@@ -33,8 +33,17 @@ def test_an_elastic_hit_has_the_force_and_the_time_of_hertz():
     # The library's steel and the value above differ in the fourth digit of a small part.
     assert hits.peak_force == pytest.approx(stiffness * approach**1.5, rel=1e-5)
     assert hits.contact_time == pytest.approx(2.943275 * approach / speed, rel=1e-5)
+    assert hits.max_approach == pytest.approx(approach, rel=1e-5)
+    radius = np.sqrt(7.5e-3 * approach)
+    assert hits.contact_radius == pytest.approx(radius, rel=1e-5)
+    assert hits.peak_pressure == pytest.approx(
+        1.5 * hits.peak_force / (np.pi * radius**2), rel=1e-5
+    )
     assert hits.restitution == pytest.approx(1.0, abs=1e-6)
+    assert hits.impulse == pytest.approx(2 * mass * speed, rel=1e-5)
     assert hits.specific_impulse == pytest.approx(0.543612, rel=1e-5)
+    assert hits.peak_parameter == pytest.approx(hits.peak_force / hits.contact_time, rel=1e-12)
+    assert hits.asymmetry == pytest.approx(0.5, abs=1e-6)
 
 
 def test_a_damped_hit_rebounds_as_told_whatever_its_speed():
@@ -118,6 +127,16 @@ def test_the_interval_follows_from_the_sample_and_the_stiffness():
     assert named.speed_high / named.speed == pytest.approx(10 ** (1 / 3), rel=0.02)
     own = pf.safe_speed(strength=2450, youngs_modulus_range=(1e8, 2e8), **PELLET)
     assert own.speed_low < own.speed < own.speed_high
+    heights = [own.drop_height_low, own.drop_height, own.drop_height_high]
+    speeds = np.array([own.speed_low, own.speed, own.speed_high])
+    assert heights == pytest.approx(speeds**2 / (2 * 9.80665), rel=1e-12)
+
+
+def test_a_shear_modulus_is_that_of_youngs_modulus():
+    shear = pf.impact(4.0, **PELLET)
+    own = {name: value for name, value in PELLET.items() if name != "shear_modulus"}
+    youngs = pf.impact(4.0, youngs_modulus=2 * 60e6 * 1.22, **own)
+    assert shear.peak_force == pytest.approx(float(youngs.peak_force), rel=1e-12)
 
 
 def test_a_strength_card_tells_the_same_as_its_numbers(tmp_path):
@@ -171,9 +190,35 @@ def test_a_recorded_drop_breaks_as_its_peak_force_tells(recorded):
 
 
 def test_a_yield_pressure_is_scored_beside(recorded):
-    answer = pf.score(recorded, strength=10.0, yield_pressure=[1e6, 1e12]).details
-    assert answer[0]["broken_yielding"]["share"] <= answer[1]["broken_yielding"]["share"]
+    # A force of 14 N: of a pellet that hardly bears pressure it stays below 10 N.
+    answer = pf.score(recorded, strength=10.0, yield_pressure=[1e5, 1e12])
+    yielding = [details["broken_yielding"]["share"] for details in answer.details]
+    assert yielding == [0.0, 1.0]
+    assert answer.share.tolist() == [1.0, 1.0]
     assert pf.score(recorded, strength=10.0).details[0]["broken_yielding"] is None
+
+
+def test_the_yield_pressure_of_a_card_counts_unless_another_is_given(recorded, tmp_path):
+    card = tmp_path / "card.toml"
+    text = CARD.replace('mean = "2.45 kN"', 'mean = "10 N"') + 'yield_pressure = "0.1 MPa"\n'
+    card.write_text(text, encoding="utf-8")
+    (own,) = pf.score(recorded, strength_card=card).details
+    (given,) = pf.score(recorded, strength_card=card, yield_pressure=1e12).details
+    # Log-normal with a scatter of 30 %: 14 N breaks most pellets, the yielded force a few in 100.
+    assert own["broken_yielding"]["share"] < 0.05 < 0.5 < own["broken"]["share"]
+    assert given["broken_yielding"]["share"] == pytest.approx(own["broken"]["share"], rel=1e-9)
+
+
+def test_a_softened_run_is_scored_at_true_stiffness(drop, tmp_path):
+    drop["materials"]["pellet"] |= {"shear_modulus": 6e6, "true_youngs_modulus": 2 * 60e6 * 1.22}
+    output = pf.run(drop, output=tmp_path / "soft").output
+    hits = pf.read(output).hits
+    score = pf.score(output, strength=1.5 * hits["peak_force_n"].max())
+    (details,) = score.details
+    assert details["is_softened"]
+    # F ∝ E*^0.4: ten times as stiff has 2.5 times the force.
+    assert (details["broken"]["share"], score.share) == (0.0, 1.0)
+    assert score.share_low == details["broken_at_true_stiffness"]["interval"][0]
 
 
 def test_a_bad_score_is_refused(recorded, tmp_path, drop):

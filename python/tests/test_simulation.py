@@ -1,7 +1,7 @@
 """Stepping by hand."""
 
+import _thread
 import threading
-import time
 
 import numpy as np
 import pelletflow as pf
@@ -134,24 +134,21 @@ def test_numpy_numbers_and_arrays_may_stand_in_a_scene(drop):
     assert simulation.velocities[0, 2] < 0.0
 
 
-def test_other_threads_run_while_it_steps(box):
-    simulation = pf.Simulation(box, threads=1)
-    ticks = []
-    is_done = threading.Event()
+def test_other_threads_run_while_it_steps_and_an_interrupt_ends_it(box, hang_guard):
+    simulation = pf.Simulation(box | {"scene": {"gravity": [0, 0, 0]}}, threads=1)
 
-    def tick():
-        while not is_done.is_set():
-            ticks.append(time.monotonic())
-            time.sleep(0.001)
+    def interrupt_once_it_steps() -> None:
+        while True:
+            try:
+                _ = simulation.step_count
+            except RuntimeError:
+                # It is at work and cannot be looked at, and this thread runs all the same.
+                _thread.interrupt_main()
+                return
 
-    ticker = threading.Thread(target=tick)
-    ticker.start()
-    began = time.monotonic()
-    while time.monotonic() < began + 0.3:
-        simulation.step(5000)
-    ended = time.monotonic()
-    is_done.set()
-    ticker.join()
-    during = [tick for tick in ticks if began < tick < ended]
-    # A thread that waited for the interpreter would tick a few times between calls only.
-    assert len(during) > 20 * (ended - began)
+    other = threading.Thread(target=interrupt_once_it_steps)
+    other.start()
+    with pytest.raises(KeyboardInterrupt):
+        simulation.step(10**15)
+    other.join()
+    assert 0 < simulation.step_count < 10**15

@@ -2,6 +2,8 @@
 
 import ast
 import inspect
+import re
+from dataclasses import is_dataclass
 from importlib.metadata import entry_points, version
 from pathlib import Path
 
@@ -9,7 +11,21 @@ import pelletflow as pf
 from pelletflow import _pelletflow
 
 #: What functions return and nobody makes; the tests of those functions use it.
-RETURNED = {"Impact", "Recording", "SafeSpeed", "Score", "SweepResult", "__version__"}
+RETURNED = {
+    "Impact",
+    "Recording",
+    "SafeSetting",
+    "SafeSpeed",
+    "Score",
+    "SweepResult",
+    "__version__",
+}
+#: Where our classes are made.
+OURS = {
+    "pelletflow",
+    *(f"pelletflow.{path.stem}" for path in Path(pf.__file__).parent.glob("*.py")),
+}
+OURS |= {"pelletflow._sweep.result"}
 STUB = Path(pf.__file__).with_name("_pelletflow.pyi")
 
 
@@ -46,27 +62,42 @@ def test_every_quantity_is_documented_with_its_unit():
             assert "[" in doc, f"{name} states no unit"
 
 
-def test_everything_public_is_listed_and_documented():
+def members(public: object) -> set[str]:
+    """Names of what a class has for its users: methods, properties and fields."""
+    if not inspect.isclass(public):
+        return set()
+    fields = public.__dataclass_fields__ if is_dataclass(public) else {}
+    own = {name for base in public.__mro__ for name in vars(base) if base.__module__ in OURS}
+    return {name for name in own | set(fields) if not name.startswith("_")}
+
+
+def test_everything_public_is_documented():
     for name in pf.__all__:
         if name == "__version__":
             continue
         public = getattr(pf, name)
         assert inspect.getdoc(public), name
-        for member, value in vars(public).items() if inspect.isclass(public) else ():
-            if not member.startswith("_") and (callable(value) or isinstance(value, property)):
-                assert inspect.getdoc(value), f"{name}.{member}"
+        source = inspect.getsource(public) if not is_built(public) else ""
+        for member in members(public):
+            doc = inspect.getdoc(getattr(public, member, None))
+            # What is a field has its text below it.
+            assert doc or f"    {member}: " in source or f"self.{member}" in source, (
+                f"{name}.{member}"
+            )
 
 
-def test_every_public_name_is_used_by_a_test():
+def test_every_public_name_and_all_that_it_has_is_used_by_a_test():
     tests = "".join(path.read_text(encoding="utf-8") for path in Path(__file__).parent.glob("*.py"))
     for name in pf.__all__:
-        if name in RETURNED:
-            continue
-        assert f"pf.{name}" in tests, f"no test uses {name}"
-        public = getattr(pf, name)
-        for member in vars(public) if inspect.isclass(public) else ():
-            if not member.startswith("_"):
-                assert f".{member}" in tests, f"no test uses {name}.{member}"
+        if name not in RETURNED:
+            assert f"pf.{name}" in tests, f"no test uses {name}"
+        for member in members(getattr(pf, name)):
+            assert re.search(rf"\.{member}\b", tests), f"no test uses {name}.{member}"
+
+
+def is_built(public: object) -> bool:
+    """Whether it is of the Rust module."""
+    return getattr(_pelletflow, getattr(public, "__name__", ""), None) is public
 
 
 def test_the_command_is_an_entry_point():

@@ -6,7 +6,7 @@ import signal
 import subprocess
 import sys
 import threading
-from concurrent.futures import Future, ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures import Future, ProcessPoolExecutor, ThreadPoolExecutor, wait
 from multiprocessing import get_context
 
 import numpy as np
@@ -59,7 +59,25 @@ def test_points_may_be_listed_one_by_one(drop, tmp_path):
     result = pf.sweep(drop, points, output=tmp_path, measures=PEAK, executor=Here())
     assert result.table.rows == 2
     assert result.table["time.end"].tolist() == ["0.01", "20 ms"]
-    assert result.runs["seed"].tolist() == [0, 3]
+    # A scene that gives no seed has 1.
+    assert result.runs["seed"].tolist() == [1, 3]
+
+
+def test_a_value_of_a_point_counts_above_one_for_all_points_whatever_their_order(drop, tmp_path):
+    points = [{"time.end": 0.02}]
+    for name, given in {
+        "key first": {"time.end": 5.0, "time": {"end": 0.01, "peak_force_error": 1e-3}},
+        "table first": {"time": {"end": 0.01, "peak_force_error": 1e-3}, "time.end": 5.0},
+    }.items():
+        result = pf.sweep(
+            drop,
+            points,
+            output=tmp_path / name,
+            set=given,
+            executor=Here(),
+            measures=lambda run: {"end": run.summary["time"]["simulated_s"]},
+        )
+        assert result.table["end"][0] == pytest.approx(0.02, rel=1e-2)
 
 
 def test_a_run_of_a_sweep_has_the_bits_of_the_same_run_alone(drop, points, tmp_path):
@@ -91,6 +109,22 @@ def test_replicates_count_their_seeds_up_and_leave_an_interval(box, tmp_path):
     # Student's t of two degrees of freedom at 97.5 %: 4.3027.
     half = 4.3027 * masses.std(ddof=1) / np.sqrt(3)
     assert result.table["mass.inside_high"][0] - masses.mean() == pytest.approx(half, rel=1e-4)
+
+
+def test_replicates_of_a_scene_without_a_seed_differ_from_the_first_on(box, tmp_path):
+    box["time"]["end"] = 1e-4
+    box["pellets"]["ore"]["diameter"] = {"min": "12 mm", "max": "15 mm"}
+    box["fill"]["heap"]["count"] = 20
+    result = pf.sweep(
+        box,
+        {"time.end": [1e-4]},
+        output=tmp_path,
+        replicates=3,
+        measures=["mass.inside"],
+        executor=Here(),
+    )
+    assert result.runs["seed"].tolist() == [1, 2, 3]
+    assert len(set(result.runs["mass.inside"])) == 3
 
 
 def test_one_replicate_has_a_mean_and_no_interval(drop, tmp_path):
@@ -243,32 +277,55 @@ def test_an_executor_that_gives_no_futures_or_has_ended_is_told_as_such(drop, tm
         pf.sweep(drop, {"time.end": [0.01]}, output=tmp_path, executor=ended)
 
 
+class Killing:
+    """A pool whose worker is killed when a number of runs has been handed to it."""
+
+    def __init__(self, pool, after, *, is_noticed):
+        self.pool = pool
+        self.process = pool.submit(os.getpid).result()
+        self.left = after
+        self.is_noticed = is_noticed
+
+    def submit(self, function, /, *arguments):
+        future = self.pool.submit(function, *arguments)
+        self.left -= 1
+        if self.left == 0:
+            os.kill(self.process, signal.SIGKILL)
+            if self.is_noticed:
+                # Once the first run has failed, the pool takes no other.
+                wait([future])
+        return future
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="processes are killed otherwise there")
-def test_a_worker_that_is_killed_ends_the_sweep_with_the_cure(drop, tmp_path):
+@pytest.mark.parametrize(
+    ("after", "is_noticed"), [(2, False), (1, True)], ids=["amid a run", "before the next run"]
+)
+def test_a_worker_that_is_killed_ends_the_sweep_with_the_cure(
+    drop, tmp_path, hang_guard, after, is_noticed
+):
+    endless = {"time.end": [1000.0, 1001.0]}
     with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as pool:
-        process = pool.submit(os.getpid).result()
-        killer = threading.Timer(0.5, os.kill, (process, signal.SIGKILL))
-        killer.start()
-        with pytest.raises(pf.SweepError, match="call again"):
-            pf.sweep(drop, {"time.end": [1000.0, 1001.0]}, output=tmp_path, executor=pool)
-        killer.join()
+        executor = Killing(pool, after, is_noticed=is_noticed)
+        with pytest.raises(pf.SweepError, match=r"killed.*call again.*with a new executor"):
+            pf.sweep(drop, endless, output=tmp_path, executor=executor)
     assert pf.sweep(drop, {"time.end": [0.01]}, output=tmp_path, executor=Here()).executed == 1
     assert not list(tmp_path.glob("unfinished-*"))
 
 
-def test_two_sweeps_into_one_folder_are_refused(drop, tmp_path):
+def test_two_sweeps_into_one_folder_are_refused(drop, tmp_path, hang_guard):
     began, may_end = threading.Event(), threading.Event()
 
     class Waiting(Here):
         def submit(self, function, /, *arguments):
             began.set()
-            may_end.wait(30)
+            may_end.wait()
             return super().submit(function, *arguments)
 
     points = {"time.end": [0.01]}
     with ThreadPoolExecutor(1) as threads:
         first = threads.submit(pf.sweep, drop, points, output=tmp_path, executor=Waiting())
-        assert began.wait(30)
+        began.wait()
         with pytest.raises(pf.SweepError, match="another sweep"):
             pf.sweep(drop, points, output=tmp_path, executor=Here())
         may_end.set()

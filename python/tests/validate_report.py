@@ -18,8 +18,8 @@ from playwright.sync_api import Browser, Page, sync_playwright
 
 # The browser's own renderer draws what a graphics card would.
 ARGUMENTS = ["--no-sandbox", "--enable-unsafe-swiftshader"]
-# Time until the replay can be used [s]; the machine may be busy with other work.
-READY_WITHIN = 2.0 * 3
+# A page that needs longer hangs, however busy the machine is [s]; no claim on its speed.
+READY_WITHIN = 25.0
 # Pictures per second that a replay reaches, or says what it dropped [1/s].
 PICTURES_PER_SECOND = 30.0
 # Share of the view that pellets cover at least [-].
@@ -47,7 +47,8 @@ def colored(picture: Image.Image) -> float:
     return sum(saturations[90:]) / sum(saturations)
 
 
-def opened(browser: Browser, path: Path, size: str, scheme: str) -> tuple[Page, list[str]]:
+def opened(browser: Browser, path: Path, size: str, scheme: str) -> tuple[Page, list[str], float]:
+    """A page, what the browser complains of, and the time until the replay could be used [s]."""
     width, height = SIZES[size]
     page = browser.new_page(viewport={"width": width, "height": height}, color_scheme=scheme)
     complaints: list[str] = []
@@ -67,7 +68,7 @@ def opened(browser: Browser, path: Path, size: str, scheme: str) -> tuple[Page, 
     page.wait_for_selector("html[data-state=ready]", timeout=30_000)
     ready = time.monotonic() - began
     expect(ready < READY_WITHIN, f"{size}: it took {ready:.1f} s until the replay could be used")
-    return page, complaints
+    return page, complaints, ready
 
 
 def check_look(page: Page, size: str, scheme: str) -> None:
@@ -116,8 +117,7 @@ def check_play(page: Page) -> str:
 def check_hits(page: Page) -> None:
     """A press on a hit shows its moment."""
     moment = page.locator(".moment").first
-    if moment.count() == 0:
-        return
+    expect(moment.count() > 0, "no hit is told with its moment")
     when = float(moment.get_attribute("data-time") or "nan")
     moment.press("Enter")
     page.wait_for_timeout(300)
@@ -142,11 +142,11 @@ def validate(chromium: str, path: Path, picture: Path | None) -> str:
         complaints: list[str] = []
         for size in SIZES:
             for scheme in ("light", "dark"):
-                page, heard = opened(browser, path, size, scheme)
+                page, heard, _ = opened(browser, path, size, scheme)
                 check_look(page, size, scheme)
                 complaints += heard
                 page.close()
-        page, heard = opened(browser, path, "desktop", "light")
+        page, heard, ready = opened(browser, path, "desktop", "light")
         pellets = page.evaluate("document.documentElement.dataset.pellets")
         if picture:
             take(page, picture)
@@ -155,7 +155,10 @@ def validate(chromium: str, path: Path, picture: Path | None) -> str:
         check_hits(page)
         browser.close()
     expect(not complaints + heard, f"the browser complains: {complaints + heard}")
-    return f"{path}: {path.stat().st_size} B, {pellets} pellets at first, {pace}"
+    return (
+        f"{path}: {path.stat().st_size} B, {pellets} pellets at first, "
+        f"ready after {ready:.1f} s, {pace}"
+    )
 
 
 def main(arguments: list[str]) -> int:

@@ -52,6 +52,7 @@ fn the_drawing_shows_every_crate_of_the_house() {
     let mut house: Names = uses().into_keys().collect();
     house.remove("pelletflow");
     house.remove("xtask");
+    house.remove("fuzz");
     assert_eq!(drawn, house);
 }
 
@@ -74,7 +75,7 @@ fn dependencies_that_belong_to_one_place_are_named_there_alone() {
     }
 }
 
-/// The manifest of every crate by its name on the map, the root's among them.
+/// The manifest of every crate by its name on the map, those of the root and the fuzzers among them.
 pub(crate) fn manifests() -> BTreeMap<String, String> {
     let mut manifests: BTreeMap<String, String> = entries(&root().join("crates"))
         .iter()
@@ -85,6 +86,7 @@ pub(crate) fn manifests() -> BTreeMap<String, String> {
         })
         .collect();
     manifests.insert("pelletflow".into(), read(root().join("Cargo.toml")));
+    manifests.insert("fuzz".into(), read(root().join("tests/fuzz/Cargo.toml")));
     manifests
 }
 

@@ -29,6 +29,7 @@ Examples:
   pelletflow check hopper.toml           find every mistake; show what a run will do
   pelletflow run hopper.toml             run it; results go to out/hopper
   pelletflow run hopper.toml --resume    go on with a run that was interrupted or killed
+  pelletflow run hopper.toml --live      watch it in Foxglove or Lichtblick while it goes on
   pelletflow inspect out/hopper/run.mcap show what the recording holds
   pelletflow report out/hopper/run.mcap  write it as a page: plots, hits and a replay in space
   pelletflow score out/hopper/run.mcap --strength 2kN   tell which pellets break, where and by what
@@ -124,8 +125,18 @@ pub(crate) struct RunArguments {
     #[command(flatten)]
     pub(crate) earlier: EarlierArguments,
     /// Number of threads; all cores where it is left out. The result does not depend on it.
-    #[arg(long, value_name = "N", value_parser = thread_count)]
+    #[arg(long, value_name = "N", value_parser = thread_count, allow_negative_numbers = true)]
     pub(crate) threads: Option<usize>,
+    /// Let Foxglove or Lichtblick watch the run while it goes on, at a web socket [default: 127.0.0.1:8765, which only this
+    /// machine reaches].
+    #[arg(
+        long,
+        value_name = "HOST:PORT",
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = pelletflow_log::LIVE_ADDRESS
+    )]
+    pub(crate) live: Option<String>,
     /// Print the summary as JSON, and nothing else on standard output.
     #[arg(long)]
     pub(crate) json: bool,

@@ -1,6 +1,6 @@
 //! How a command ends.
 
-use pelletflow_log::{ExportError, FolderError, ReadError, RunError};
+use pelletflow_log::{ExportError, FolderError, LiveError, ReadError, RunError};
 use pelletflow_scene::{LabSheetError, Mistakes, SceneError, StrengthCardError};
 use std::io;
 
@@ -113,6 +113,16 @@ impl From<ExportError> for Failure {
             ExportError::Read(error) => error.into(),
             error => Self::new(Exit::InputOutput, error.to_string()),
         }
+    }
+}
+
+impl From<LiveError> for Failure {
+    fn from(error: LiveError) -> Self {
+        let exit = match error {
+            LiveError::Address { .. } => Exit::BadInput,
+            _ => Exit::InputOutput,
+        };
+        Self::new(exit, error.to_string())
     }
 }
 

@@ -1,4 +1,4 @@
-//! `pelletflow card` makes cards of lab sheets that other commands read back, and refuses bad sheets with a cure.
+//! `pelletflow card` makes cards of lab sheets that other commands read back.
 
 mod common;
 
@@ -211,80 +211,4 @@ fn two_kinds_of_pellets_in_one_sheet_are_doubted() {
         "{}",
         call.output
     );
-}
-
-#[test]
-fn bad_sheets_and_options_are_bad_input_with_file_line_and_cure() {
-    let directory = sheets();
-    let sheet = |name: &str, text: &str| {
-        fs::write(directory.path().join(name), text).expect("writable");
-    };
-    sheet("text.csv", "load [N]\n2000\nabout 2000\n-3\n2100\n");
-    sheet("empty.csv", "");
-    sheet("two.csv", "load [N]\n2000\n2100\n");
-    sheet("equal.csv", "load [N]\n2000\n2000\n2000\n");
-    sheet("unit.csv", "load\n2000\n2100\n2200\n");
-    sheet("open.csv", "speed [m/s],dropped,broken\n8,40,41\n");
-    for (arguments, expected) in [
-        (
-            &["text.csv"][..],
-            "text.csv:3: load [N]: `about 2000` is no number",
-        ),
-        (
-            &["text.csv"],
-            "text.csv:4: load [N]: the load is -3 N; expected more than 0",
-        ),
-        (&["text.csv"], "2 mistakes"),
-        (&["empty.csv"], "empty.csv: the sheet is empty"),
-        (&["two.csv"], "there are 2 loads; expected at least 3"),
-        (&["equal.csv"], "all 3 loads are 2000 N"),
-        (&["unit.csv"], "unit.csv:1: load: the column has no unit"),
-        (&["unit.csv", "--unit", "kN"], "the mean load is 2.100e6 N"),
-        (
-            &["unit.csv", "--unit", "kg"],
-            "`kg` is a mass; expected a force",
-        ),
-        (&["none.csv"], "none.csv: cannot be read"),
-        (
-            &["loads.csv", "--drop", "open.csv"],
-            "open.csv:2: broken: 41 pellets broke of 40 dropped",
-        ),
-        (
-            &["loads.csv", "--test-diameter", "12mm"],
-            "leave --test-diameter out",
-        ),
-        (&["loads.csv", "--tumble", "945%"], "expected 0 to 1"),
-        (&["loads.csv", "--damage-constant", "5"], "--drop"),
-        (
-            &["loads.csv", "-o", "loads.csv"],
-            "exists and is not overwritten",
-        ),
-    ] {
-        let call = call(
-            directory.path(),
-            &[&["card", "--crush"], arguments].concat(),
-        );
-        assert!(
-            call.error.contains(expected),
-            "{arguments:?}: {}",
-            call.error
-        );
-        assert_eq!(call.code, 2, "{arguments:?}");
-        assert_eq!(call.output, "", "{arguments:?}");
-    }
-}
-
-#[test]
-fn a_card_that_cannot_be_written_is_a_failure_to_write() {
-    let directory = sheets();
-    let call = call(
-        directory.path(),
-        &["card", "--crush", "loads.csv", "-o", "missing/card.toml"],
-    );
-    assert!(
-        call.error.contains("missing/card.toml cannot be written"),
-        "{}",
-        call.error
-    );
-    assert_eq!(call.code, 4);
 }

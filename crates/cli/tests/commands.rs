@@ -4,6 +4,7 @@ mod common;
 
 use common::{call, program};
 use std::fs;
+use std::net::TcpListener;
 use tempfile::TempDir;
 
 #[test]
@@ -273,4 +274,56 @@ fn an_interrupted_run_closes_its_recording_and_writes_its_summary() {
     let inspect = call(path, &["inspect", "out/hopper/run.mcap", "--json"]).output;
     let inspect: serde_json::Value = serde_json::from_str(&inspect).expect("JSON");
     assert_eq!(inspect["is_cut_off"], false);
+}
+
+#[test]
+fn a_run_says_where_it_is_watched_and_refuses_a_port_in_use_before_it_writes() {
+    let directory = TempDir::new().expect("a directory");
+    let path = directory.path();
+    assert_eq!(call(path, &["new", "drop"]).code, 0);
+    let taken = TcpListener::bind("127.0.0.1:0").expect("there is a free port");
+    let address = taken.local_addr().expect("it is bound");
+    let refused = call(path, &["run", "drop.toml", &format!("--live={address}")]);
+    assert_eq!(refused.code, 4, "{}", refused.error);
+    assert!(refused.error.contains(&address.to_string()));
+    assert!(refused.error.contains("--live=HOST:PORT"));
+    assert!(!path.join("out").exists());
+
+    let nowhere = call(path, &["run", "drop.toml", "--live=here"]);
+    assert_eq!(nowhere.code, 2, "{}", nowhere.error);
+    assert!(nowhere.error.contains("`here` is no address"));
+
+    let run = call(path, &["run", "drop.toml", "--live=127.0.0.1:0"]);
+    assert_eq!(run.code, 0, "{}", run.error);
+    assert!(run.output.starts_with("watch at ws://127.0.0.1:"));
+    assert!(run.output.contains("layout out/drop/layout.json\n"));
+    assert!(!run.error.contains("warning"), "{}", run.error);
+}
+
+#[test]
+fn check_tells_the_frames_that_are_kept_and_what_they_take() {
+    let directory = TempDir::new().expect("a directory");
+    let path = directory.path();
+    assert_eq!(call(path, &["new", "hopper"]).code, 0);
+    let forecast = |settings: &[&str]| {
+        let told = call(
+            path,
+            &[&["check", "hopper.toml", "--json"], settings].concat(),
+        );
+        let told: serde_json::Value = serde_json::from_str(&told.output).expect("JSON");
+        ["frames", "frames_kept_at_most"].map(|key| told[key].as_f64().expect("a number"))
+    };
+    let [frames, kept] = forecast(&[]);
+    assert_eq!(kept, frames);
+    // The first, and those of the span with one at its beginning.
+    let last = [
+        "--set",
+        "output.frame_interval=0.01",
+        "--set",
+        "output.frames_of_last=0.1",
+    ];
+    assert_eq!(forecast(&last)[1], 1.0 + 11.0);
+    let page = call(path, &[&["check", "hopper.toml"][..], &last].concat()).output;
+    assert!(page.contains("frames kept at the end"), "{page}");
+    assert!(page.contains("at most 12, about "), "{page}");
 }

@@ -89,7 +89,7 @@ fn what_does_not_fit_is_left_out_and_said() {
     assert!(small.len() <= 500_000, "{}", small.len());
     assert!(whole.len() > small.len());
     assert!(
-        small.contains("The replay shows every "),
+        small.contains("The page shows every "),
         "it does not say what it left out"
     );
 }

@@ -161,22 +161,6 @@ fn a_floor_is_tilted_until_the_speed_across_it_is_that_of_the_closed_form() {
 fn wrong_requests_are_refused_with_the_cure() {
     let directory = directory();
     for (arguments, code, expected) in [
-        (vec!["--scene", "beam.toml"], 2, "--range <LOW..HIGH>"),
-        (
-            vec!["--scene", "beam.toml", "--range", "9..3m/s"],
-            2,
-            "write the smaller value first",
-        ),
-        (
-            vec!["--scene", "beam.toml", "--range", "3m..9m/s"],
-            2,
-            "`m` and `m/s` are two units",
-        ),
-        (
-            vec!["--scene", "beam.toml", "--range", "slow..9m/s"],
-            2,
-            "`slow` begins with no number",
-        ),
         (
             vec!["--scene", "beam.toml", "--range", "4..6m/s"],
             2,
@@ -227,11 +211,6 @@ fn wrong_requests_are_refused_with_the_cure() {
             ],
             2,
             "no pellet is hit in the run at 4",
-        ),
-        (
-            vec!["--scene", "none.toml", "--range", "4..24"],
-            2,
-            "none.toml",
         ),
     ] {
         let fixed = ["safe-speed", "--strength-card", "card.toml"];

@@ -33,6 +33,16 @@ pub(crate) enum Stop {
     Output(McapError),
 }
 
+/// What came of a run.
+pub(crate) struct Outcome {
+    /// How it ended.
+    pub(crate) ended: Result<Ended, Stop>,
+    /// Moments of its hardest hits [s].
+    pub(crate) worst_moments: Vec<f64>,
+    /// What recording took.
+    pub(crate) recording_times: RecordingTimes,
+}
+
 /// What breaks off the steps.
 enum Break {
     Physics(StepError),
@@ -53,11 +63,10 @@ pub(crate) struct Course<'scope> {
     /// Time that copying took.
     copying: Duration,
     logbook: Logbook,
-    has_begun: bool,
 }
 
 impl<'scope> Course<'scope> {
-    /// A run of which nothing is recorded yet.
+    /// A run of which the logbook tells what is recorded.
     pub(crate) fn new(
         recorder: Recorder<'scope, BufWriter<File>>,
         keeper: Keeper,
@@ -68,25 +77,16 @@ impl<'scope> Course<'scope> {
             keeper,
             copying: Duration::ZERO,
             logbook,
-            has_begun: false,
         }
     }
 
-    /// The same run taken up again.
-    pub(crate) fn going_on(self) -> Self {
-        Self {
-            has_begun: true,
-            ..self
-        }
-    }
-
-    /// Steps to the end, records it whatever it is, and finishes the file; how it ended, and what recording took.
+    /// Steps to the end, records it whatever it is, and finishes the file.
     pub(crate) fn run(
         mut self,
         simulation: &mut Simulation,
         plan: &RunPlan,
         observer: &mut dyn FnMut(&Progress) -> ControlFlow<()>,
-    ) -> (Result<Ended, Stop>, RecordingTimes) {
+    ) -> Outcome {
         let outcome = self.drive(simulation, plan, observer);
         let (gravity, text) = match &outcome {
             Ok(ended) => (Gravity::Information, reason_of(*ended).to_owned()),
@@ -97,8 +97,10 @@ impl<'scope> Course<'scope> {
         let _ = self
             .tell_last_hits(simulation)
             .and_then(|()| self.end(simulation, gravity, text));
-        let (finished, times) = self.finish();
-        let outcome = match (outcome, finished) {
+        let hits = self.logbook.worst_hits.as_slice().iter();
+        let worst_moments = hits.map(|hit| hit.peak_time).collect();
+        let (finished, recording_times) = self.finish();
+        let ended = match (outcome, finished) {
             (Err(Break::Physics(error)), _) => Err(Stop::Physics(error)),
             (_, Err(error)) => Err(Stop::Output(error)),
             (Ok(ended), Ok(())) => Ok(ended),
@@ -106,7 +108,11 @@ impl<'scope> Course<'scope> {
                 unreachable!("a recorder that stops has an error to tell")
             }
         };
-        (outcome, times)
+        Outcome {
+            ended,
+            worst_moments,
+            recording_times,
+        }
     }
 
     /// Steps to the end, recording what is due on the way.
@@ -117,7 +123,7 @@ impl<'scope> Course<'scope> {
         observer: &mut dyn FnMut(&Progress) -> ControlFlow<()>,
     ) -> Result<Ended, Break> {
         let step = simulation.model().time_step().seconds;
-        if !self.has_begun {
+        if self.logbook.last_frame.is_none() {
             self.begin(simulation)?;
         }
         let (mut last_flush, mut last_look) = (Instant::now(), Instant::now());

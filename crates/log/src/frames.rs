@@ -1,7 +1,7 @@
 //! Pellets read back, frame by frame.
 
 use crate::error::ReadError;
-use crate::message::pellets;
+use crate::message::{pellets, seconds};
 use crate::records::Records;
 use foxglove::messages::PointCloud;
 use mcap::records::Record;
@@ -91,7 +91,7 @@ impl Frames {
                             reason: format!("a frame of `/pellets` cannot be decoded: {reason}"),
                         })?;
                     return Ok(Some(FrameRecord {
-                        time: header.log_time as f64 * 1.0e-9,
+                        time: seconds(header.log_time),
                         pellets,
                     }));
                 }

@@ -1,7 +1,7 @@
 //! Hits read back from a recording.
 
 use crate::error::ReadError;
-use crate::message::{hits, series};
+use crate::message::{hits, seconds, series};
 use crate::provenance::Provenance;
 use crate::records::Records;
 use mcap::records::Record;
@@ -18,6 +18,39 @@ pub(crate) const THRESHOLD: &str = "threshold_n";
 pub(crate) const IS_SOFTENED: &str = "is_softened";
 /// Its key of the names of the walls, as a JSON list.
 pub(crate) const WALLS: &str = "walls";
+
+/// What the metadata that goes with hits tells.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct HitFacts {
+    /// Force from which on every hit is kept in full [N].
+    threshold: f64,
+    /// Whether some material is softer than it really is.
+    pub(crate) is_softened: bool,
+    /// Names of the walls, by index.
+    pub(crate) walls: Vec<String>,
+}
+
+impl HitFacts {
+    /// Reads them; what is wrong with them.
+    pub(crate) fn read(metadata: &BTreeMap<String, String>) -> Result<Self, String> {
+        let entry = |key: &str| metadata.get(key).map_or("", String::as_str);
+        Ok(Self {
+            threshold: entry(THRESHOLD)
+                .parse()
+                .map_err(|error| format!("its `{THRESHOLD}` is no force: {error}"))?,
+            is_softened: entry(IS_SOFTENED) == "true",
+            walls: serde_json::from_str(entry(WALLS))
+                .map_err(|error| format!("its `{WALLS}` are no list of names: {error}"))?,
+        })
+    }
+}
+
+/// A wall as a partner of a pellet, by its index, in words.
+pub(crate) fn wall_in_words(walls: &[String], wall: usize) -> String {
+    walls
+        .get(wall)
+        .map_or_else(|| format!("wall {wall}"), |name| format!("wall `{name}`"))
+}
 
 /// All that a recording holds of hits.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -82,19 +115,17 @@ pub fn read_hits(path: impl AsRef<Path>) -> Result<RecordedHits, ReadError> {
         match record {
             Record::Metadata(metadata) if metadata.name == METADATA => {
                 has_hits = true;
-                let entry = |key: &str| metadata.metadata.get(key).map_or("", String::as_str);
-                read.threshold = entry(THRESHOLD)
-                    .parse()
-                    .map_err(|error| damaged(format!("the threshold of its hits: {error}")))?;
-                read.is_softened = entry(IS_SOFTENED) == "true";
-                read.walls = serde_json::from_str(entry(WALLS))
-                    .map_err(|error| damaged(format!("the walls of its hits: {error}")))?;
+                let facts = HitFacts::read(&metadata.metadata)
+                    .map_err(|reason| damaged(format!("the metadata `{METADATA}`: {reason}")))?;
+                read.threshold = facts.threshold;
+                read.is_softened = facts.is_softened;
+                read.walls = facts.walls;
             }
             Record::Channel(channel) => {
                 topics.insert(channel.id, channel.topic);
             }
             Record::Message { header, data } => {
-                read.end = read.end.max(header.log_time as f64 * 1.0e-9);
+                read.end = read.end.max(seconds(header.log_time));
                 let topic = topics.get(&header.channel_id).map_or("", String::as_str);
                 let wrong = |reason: String| damaged(format!("a message of `{topic}`: {reason}"));
                 match topic {

@@ -1,6 +1,7 @@
 //! What a recording holds.
 
 use crate::error::ReadError;
+use crate::message::seconds;
 use crate::records::Records;
 use mcap::records::{ChunkIndex, MessageHeader, Record};
 use serde::Serialize;
@@ -135,7 +136,7 @@ impl Findings {
 
     fn count(&mut self, header: &MessageHeader, bytes: usize) {
         if let Some(channel) = self.channels.get_mut(&header.channel_id) {
-            let time = header.log_time as f64 * 1.0e-9;
+            let time = seconds(header.log_time);
             channel.messages += 1;
             channel.bytes += bytes as u64;
             channel.first_s = Some(channel.first_s.map_or(time, |first| first.min(time)));

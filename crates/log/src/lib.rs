@@ -18,7 +18,9 @@ mod hit_summary;
 mod hits;
 mod inspect;
 mod layout;
+mod live;
 mod logbook;
+mod markup;
 mod message;
 mod opening;
 mod output;
@@ -34,17 +36,22 @@ pub mod safe_setting;
 mod summary;
 pub mod surface;
 pub mod tables;
+mod thinning;
 mod walls;
 mod worst_hits;
 
 pub use breakage::{Breakage, BreakageRequest, breakage};
-pub use checkpoint::{Earlier, Resumption, admit, discard, earlier};
+pub use checkpoint::{
+    Earlier, Resumption, SnapshotError, admit, discard, earlier, snapshot_from_bytes,
+    snapshot_to_bytes,
+};
 pub use error::{FolderError, ReadError, RunError};
 pub use export::{ExportError, ExportFormat, Exported, export};
 pub use frames::{FrameRecord, Frames, PelletRecord, read_attachment, read_frames};
 pub use hit_summary::HitSummary;
 pub use hits::{RecordedHits, read_hits};
 pub use inspect::{AttachmentInspection, ChannelInspection, Inspection, inspect};
+pub use live::{LIVE_ADDRESS, Live, LiveError};
 pub use plot::{Axis, Chart, ChartError, Drawing, Scale, Series, SeriesStyle};
 pub use profile::{PhaseCost, Profile};
 pub use report::{Report, ReportCheck, ReportRequest, report};
@@ -56,4 +63,4 @@ pub use summary::{
 };
 pub use surface::Mesh;
 pub use tables::{Column, Table, TableKind, Tables, Values, hits_table, read_tables};
-pub use worst_hits::WorstHits;
+pub use worst_hits::{WORST_HITS, WorstHits};

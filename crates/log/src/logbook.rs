@@ -1,7 +1,7 @@
 //! What a run knows of what it has recorded.
 
 use crate::recording::Due;
-use crate::worst_hits::{MARKED, WorstHits};
+use crate::worst_hits::{WORST_HITS, WorstHits};
 use pelletflow_sim::{RunPlan, Simulation};
 use serde::{Deserialize, Serialize};
 
@@ -32,8 +32,18 @@ impl Logbook {
             is_present: simulation.walls().map(|wall| wall.is_present).collect(),
             last_frame: None,
             last_reading: None,
-            worst_hits: WorstHits::new(MARKED),
+            worst_hits: WorstHits::new(WORST_HITS),
             sketched: 0,
+        }
+    }
+
+    /// Whether it can be that of a simulation; what does not fit.
+    pub(crate) fn check(&self, simulation: &Simulation) -> Result<(), String> {
+        let (told, walls) = (self.is_present.len(), simulation.walls().count());
+        if told == walls {
+            Ok(())
+        } else {
+            Err(format!("it tells of {told} walls, the scene of {walls}"))
         }
     }
 

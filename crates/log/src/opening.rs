@@ -2,6 +2,7 @@
 
 use crate::error::{FolderError, RunError};
 use crate::layout::layout;
+use crate::live::{Live, Program};
 use crate::output::{Output, sync_directory};
 use crate::patches;
 use crate::provenance::{FORMAT, FORMAT_KEY};
@@ -17,8 +18,8 @@ use std::path::{Path, PathBuf};
 
 /// Name of the recording.
 pub(crate) const RECORDING: &str = "run.mcap";
-/// The same while an earlier part is copied.
-const UNFINISHED: &str = "run.mcap.part";
+/// The same while it is written again.
+pub(crate) const UNFINISHED: &str = "run.mcap.part";
 
 /// What there is of a run that goes on.
 pub(crate) struct EarlierPart {
@@ -36,10 +37,13 @@ pub(crate) fn begin(
     simulation: &Simulation,
     request: &RunRequest,
 ) -> Result<Recorded, RunError> {
-    start(output, simulation, request, RECORDING)
+    prepare(output, simulation, request)?;
+    record(output, simulation, request, RECORDING, program(request))
 }
 
 /// Writes what an earlier part of the recording holds up to its mark into a new file, which then takes its place.
+///
+/// Where that is refused, the directory is left as it is.
 pub(crate) fn go_on(
     output: &Output,
     simulation: &Simulation,
@@ -49,7 +53,7 @@ pub(crate) fn go_on(
     let (path, unfinished) = (output.path(RECORDING), output.path(UNFINISHED));
     let mut records =
         Records::open(&path).map_err(|source| FolderError::UnreadableRecording { source })?;
-    let (mut recording, file) = start(output, simulation, request, UNFINISHED)?;
+    let (mut recording, file) = record(output, simulation, request, UNFINISHED, program(request))?;
     let carried = recording
         .carry(&mut records, &earlier.mark)
         .map_err(|error| refused(error, &path, &earlier.mark));
@@ -66,6 +70,7 @@ pub(crate) fn go_on(
         .and_then(|()| fs::rename(&unfinished, &path))
         .map_err(|source| RunError::output(&unfinished, source))?;
     sync_directory(output.directory());
+    prepare(output, simulation, request)?;
     if let Some(damaged) = &earlier.damaged {
         // Else it would push out the good one.
         fs::remove_file(damaged).map_err(|source| RunError::output(damaged, source))?;
@@ -89,30 +94,34 @@ fn refused(error: CarryError, path: &Path, mark: &Mark) -> RunError {
     }
 }
 
-/// Writes what stands beside the recording, and begins that in a file of a name.
-fn start(
-    output: &Output,
-    simulation: &Simulation,
-    request: &RunRequest,
-    name: &str,
-) -> Result<Recorded, RunError> {
-    let setup = simulation.model().setup();
-    let full_speed = simulation.model().time_step().expected_speed;
-    let layout = layout(
-        &setup.domain.bounds,
-        &simulation.meter_readings(),
-        request.spheres_up_to,
-        full_speed,
-    );
+/// Writes what stands beside the recording, and takes away what another run has left.
+fn prepare(output: &Output, simulation: &Simulation, request: &RunRequest) -> Result<(), RunError> {
+    output.clear("summary.json")?;
+    output.clear(UNFINISHED)?;
     output.write("scene.toml", request.scene_text)?;
     for (path, bytes) in request.scene_files {
         output.write_beside(path, bytes)?;
     }
-    output.write("layout.json", &layout)?;
-    patches::write(output, simulation)?;
+    output.write("layout.json", &layout_of(simulation, request))?;
+    patches::write(output, simulation)
+}
+
+/// What viewers see of the run, where they are let.
+fn program(request: &RunRequest) -> Option<Program> {
+    request.live.map(Live::program)
+}
+
+/// Begins a recording in a file of a name, and shows it where it is to be watched.
+pub(crate) fn record(
+    output: &Output,
+    simulation: &Simulation,
+    request: &RunRequest,
+    name: &str,
+    live: Option<Program>,
+) -> Result<Recorded, RunError> {
     let title = Title {
         scene_text: request.scene_text,
-        layout: &layout,
+        layout: &layout_of(simulation, request),
         facts: facts(simulation, request),
     };
     let path = output.path(name);
@@ -120,10 +129,27 @@ fn start(
     let again = file
         .try_clone()
         .map_err(|source| RunError::output(&path, source))?;
-    let file = BufWriter::new(file);
-    let recording = Recording::start(file, setup, &title, request.spheres_up_to, full_speed)
-        .map_err(|error| RunError::output(&path, as_io(error)))?;
+    let model = simulation.model();
+    let recording = Recording::start(
+        BufWriter::new(file),
+        model.setup(),
+        &title,
+        request.spheres_up_to,
+        model.time_step().expected_speed,
+        live,
+    )
+    .map_err(|error| RunError::output(&path, as_io(error)))?;
     Ok((recording, again))
+}
+
+fn layout_of(simulation: &Simulation, request: &RunRequest) -> String {
+    let model = simulation.model();
+    layout(
+        &model.setup().domain.bounds,
+        &simulation.meter_readings(),
+        request.spheres_up_to,
+        model.time_step().expected_speed,
+    )
 }
 
 fn facts(simulation: &Simulation, request: &RunRequest) -> BTreeMap<String, String> {

@@ -28,12 +28,12 @@ impl Output {
         })
     }
 
-    /// Takes away the summary of an earlier run: beside a new recording it would be taken for the new run's.
-    pub(crate) fn clear_summary(&self) -> Result<(), RunError> {
-        let summary = self.path("summary.json");
-        match fs::remove_file(&summary) {
+    /// Takes away what an earlier run may have left: beside a new recording it would be taken for the new run's.
+    pub(crate) fn clear(&self, name: &str) -> Result<(), RunError> {
+        let path = self.path(name);
+        match fs::remove_file(&path) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => {
-                Err(RunError::output(&summary, error))
+                Err(RunError::output(&path, error))
             }
             _ => Ok(()),
         }

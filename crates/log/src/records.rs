@@ -7,6 +7,12 @@ use std::fs::File;
 use std::io::{BufReader, Read};
 use std::path::{Path, PathBuf};
 
+/// Longest record, and longest chunk once it is open, that is believed of a file that is shorter [B]: a frame of five
+/// million pellets has less than half of that.
+const LONGEST: usize = 512 << 20;
+/// Bytes read at once at most [B].
+const BLOCK: usize = 1 << 20;
+
 /// Reads a file record by record; chunks are checked and opened, and one that is cut off is left out.
 pub(crate) struct Records {
     path: PathBuf,
@@ -29,7 +35,10 @@ impl Records {
             std::io::ErrorKind::NotFound => ReadError::Missing { path: path.into() },
             _ => io(source),
         })?;
+        let length = file.metadata().map_err(io)?.len();
+        let longest = usize::try_from(length).unwrap_or(usize::MAX).max(LONGEST);
         let options = LinearReaderOptions::default()
+            .with_record_length_limit(longest)
             // Nothing of a chunk is believed before all of it has been checked.
             .with_prevalidate_chunk_crcs(true)
             .with_validate_data_section_crc(true)
@@ -56,9 +65,10 @@ impl Records {
             };
             match event {
                 Ok(LinearReadEvent::ReadRequest(need)) => {
+                    // A record may say that it is longer than the file: memory grows with what is there.
                     let read = self
                         .source
-                        .read(self.reader.insert(need))
+                        .read(self.reader.insert(need.min(BLOCK)))
                         .map_err(|source| ReadError::Io {
                             path: self.path.clone(),
                             source,

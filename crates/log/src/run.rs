@@ -2,14 +2,16 @@
 
 use crate::checkpoint::{self, Identity, Keeper, Spent, refuse_unfinished};
 use crate::counts_before::CountsBefore;
-use crate::course::{Course, Stop};
+use crate::course::{Course, Outcome, Stop};
 use crate::error::RunError;
+use crate::live::Live;
 use crate::logbook::Logbook;
 use crate::opening::{self, EarlierPart, RECORDING, as_io};
 use crate::output::Output;
 use crate::patches;
 use crate::recording::{Mark, Recorder};
 use crate::summary::{Ended, RunFacts, Summary};
+use crate::thinning;
 use pelletflow_sim::{RunPlan, Simulation, StepError};
 use std::io;
 use std::ops::ControlFlow;
@@ -37,6 +39,8 @@ pub struct RunRequest<'a> {
     pub plan: &'a RunPlan,
     /// Spheres of true size are recorded of at most this many pellets [-].
     pub spheres_up_to: usize,
+    /// Where the run can be watched while it goes on; nowhere if it is not given.
+    pub live: Option<&'a Live>,
 }
 
 /// How far a run is.
@@ -63,6 +67,7 @@ pub struct Progress {
 ///
 /// The observer is called about every 20 ms; the run stops when it breaks.
 /// However the run ends, the recording is finished and a summary is written.
+/// Where the plan keeps some frames only, the recording of a run that is over is then written again without the others.
 ///
 /// The recording is written by a thread of its own, which holds three frames at most: where they are not written
 /// fast enough, the run waits.
@@ -134,7 +139,6 @@ impl Beginning {
         observer: &mut dyn FnMut(&Progress) -> ControlFlow<()>,
     ) -> Result<Summary, RunError> {
         let began = Instant::now();
-        output.clear_summary()?;
         let (recording, file) = match &self.earlier {
             None => opening::begin(output, simulation, request)?,
             Some(earlier) => opening::go_on(output, simulation, request, earlier)?,
@@ -147,17 +151,28 @@ impl Beginning {
             request.plan.checkpoint_interval,
             (self.before.clone(), self.spent.clone()),
         );
-        let (outcome, recording_times) = thread::scope(|scope| {
+        let Outcome {
+            ended,
+            worst_moments,
+            mut recording_times,
+        } = thread::scope(|scope| {
             let recorder = Recorder::start(scope, recording)?;
-            let mut course = Course::new(recorder, keeper, self.logbook);
-            if self.earlier.is_some() {
-                course = course.going_on();
-            }
+            let course = Course::new(recorder, keeper, self.logbook);
             Ok(course.run(simulation, request.plan, observer))
         })
         .map_err(|error| RunError::output(&path, without_thread(&error)))?;
 
-        let (ended, failure) = match outcome {
+        let began_to_thin = Instant::now();
+        // One that can go on, or that failed, keeps all that there is.
+        let thinned = match ended {
+            Ok(ended) if ended != Ended::Interrupted => {
+                thinning::thin(output, simulation, request, &worst_moments)
+            }
+            _ => Ok(false),
+        };
+        recording_times.waiting += began_to_thin.elapsed();
+
+        let (ended, failure) = match ended {
             Ok(ended) => (ended, None),
             Err(Stop::Physics(error)) => (Ended::Failed, Some(Failure::Physics(error))),
             Err(Stop::Output(error)) => {
@@ -193,6 +208,10 @@ impl Beginning {
                 written?;
                 if ended != Ended::Interrupted {
                     checkpoint::remove(output.directory())?;
+                }
+                // Not before: a checkpoint needs the recording as it was.
+                if thinned? {
+                    thinning::take_place(output)?;
                 }
                 Ok(summary)
             }

@@ -106,12 +106,16 @@ fn surface(entity: SceneEntity) -> WallSurface {
     for list in &entity.triangles {
         let first = corners.len() as u32;
         corners.extend(list.points.iter().map(place));
-        triangles.extend(list.indices.iter().map(|index| first + index));
+        let (whole, _) = list.indices.as_chunks::<3>();
+        // A triangle without a corner would draw nonsense; the others stay what they are.
+        let is_drawn = |triangle: &&[u32; 3]| {
+            let is_there = |&index: &u32| (index as usize) < list.points.len();
+            triangle.iter().all(is_there)
+        };
+        let drawn = whole.iter().filter(is_drawn);
+        triangles.extend(drawn.flatten().map(|index| first + index));
         color = color.or(list.color);
     }
-    // An index without a corner would draw nonsense.
-    triangles.retain(|&index| (index as usize) < corners.len());
-    triangles.truncate(triangles.len() / 3 * 3);
     let lines = entity.lines.iter().flat_map(|line| &line.points);
     WallSurface {
         name: entity.id,
@@ -130,4 +134,27 @@ fn place(point: &Point3) -> [f32; 3] {
 fn is_close(one: Color, other: Color) -> bool {
     // Eight bits of a channel.
     (one.r - other.r).abs() < 1.0 / 256.0 && (one.b - other.b).abs() < 1.0 / 256.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use foxglove::messages::TriangleListPrimitive;
+
+    #[test]
+    fn a_triangle_without_a_corner_is_left_out_and_the_others_stay_what_they_are() {
+        let list = |indices: Vec<u32>| TriangleListPrimitive {
+            points: vec![Point3::default(); 3],
+            indices,
+            ..TriangleListPrimitive::default()
+        };
+        let entity = SceneEntity {
+            triangles: vec![
+                list(vec![0, 1, 7, 2, 1, 0, 0, 1]),
+                list(vec![u32::MAX, 1, 2, 0, 2, 1]),
+            ],
+            ..SceneEntity::default()
+        };
+        assert_eq!(surface(entity).triangles, [2, 1, 0, 3, 5, 4]);
+    }
 }

@@ -1,10 +1,11 @@
 //! The hardest hits of a run, told in words.
 
+use crate::hits::wall_in_words;
 use pelletflow_sim::{Hit, HitPartner};
 use serde::{Deserialize, Serialize};
 
 /// How many are marked [-].
-pub(crate) const MARKED: usize = 20;
+pub const WORST_HITS: usize = 20;
 
 /// The hardest hits so far, the hardest first.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -43,9 +44,7 @@ impl WorstHits {
 pub(crate) fn in_words(hit: &Hit, walls: &[String]) -> String {
     let partner = match hit.partner {
         HitPartner::Pellet { id, .. } => format!("pellet {id}"),
-        HitPartner::Wall(wall) => walls
-            .get(wall)
-            .map_or_else(|| format!("wall {wall}"), |name| format!("wall `{name}`")),
+        HitPartner::Wall(wall) => wall_in_words(walls, wall),
     };
     format!(
         "{:.4} N on pellet {} by {partner}, {}: {:.3} m/s at {:.0}°, {:.3} MPa, {} steps",

@@ -4,7 +4,7 @@ mod common;
 
 use common::{SCENE_TEXT, plan, setup, simulation};
 use pelletflow_log::{Earlier, FolderError, RunError, RunRequest, earlier, run};
-use pelletflow_sim::{HitRequest, RunPlan};
+use pelletflow_sim::{HitRequest, Model, RunPlan};
 use proptest::prelude::*;
 use std::fs;
 use std::ops::ControlFlow;
@@ -24,6 +24,7 @@ fn request<'a>(directory: &'a Path, plan: &'a RunPlan) -> RunRequest<'a> {
         scene_files: &[],
         plan,
         spheres_up_to: 1000,
+        live: None,
     }
 }
 
@@ -40,19 +41,36 @@ fn is_damage(found: &Result<Earlier, RunError>) -> bool {
     matches!(**error, FolderError::Damaged { .. })
 }
 
+/// Goes on from a checkpoint beside its recording, in a folder of their own, for a few steps; whether that was possible.
+fn goes_on(checkpoint: &[u8], recording: &[u8], model: &Model) -> bool {
+    let directory = tempfile::tempdir().expect("a temporary directory can be made");
+    fs::write(directory.path().join("run.mcap"), recording).expect("it can be written");
+    let Ok(Earlier::Unfinished(resumption)) = found(directory.path(), checkpoint) else {
+        return false;
+    };
+    let plan = plan(resumption.time() + 1.0e-4);
+    let request = request(directory.path(), &plan);
+    let stop = &mut |_: &_| ControlFlow::Break(());
+    resumption.run(model.clone(), 1, &request, stop).is_ok()
+}
+
 #[test]
 fn damaged_bytes_are_refused_and_forged_ones_do_no_harm() {
     let directory = tempfile::tempdir().expect("a temporary directory can be made");
     let mut setup = setup(12);
     setup.hits = Some(HitRequest { threshold: 1.0 });
+    let mut simulation = simulation(setup);
+    let model = simulation.model().clone();
     run(
-        &mut simulation(setup),
+        &mut simulation,
         // Longer than the 20 ms after which the observer is asked.
         &request(directory.path(), &plan(60.0)),
         &mut |_| ControlFlow::Break(()),
     )
     .expect("it is sound");
     let whole = fs::read(directory.path().join("checkpoint.pf")).expect("there is one");
+    let recording = fs::read(directory.path().join("run.mcap")).expect("there is one");
+    assert!(goes_on(&whole, &recording, &model));
     let found = |bytes: &[u8]| found(directory.path(), bytes);
     let body = whole.len() - TAIL;
 
@@ -70,14 +88,14 @@ fn damaged_bytes_are_refused_and_forged_ones_do_no_harm() {
         prop_assert!(is_damage(&found(&whole[..cut.index(whole.len())])));
         prop_assert!(is_damage(&found(&noise)));
 
-        // With a checksum that is right again it may pass; what is read must still keep to its bounds.
+        // With a checksum that is right again it may pass; what is read, and gone on from, must still keep to its bounds.
         let mut forged = whole.clone();
         let start = place.index(body - noise.len());
         forged[start..start + noise.len()].copy_from_slice(&noise);
         for mut forged in [flipped, forged] {
             let sum = xxh3_128(&forged[..body]);
             forged[body..].copy_from_slice(&sum.to_le_bytes());
-            let _ = found(&forged);
+            goes_on(&forged, &recording, &model);
         }
     });
 }

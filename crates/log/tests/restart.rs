@@ -9,7 +9,8 @@ use pelletflow_log::{
     read_hits, run,
 };
 use pelletflow_sim::{
-    HitRequest, MeterKind, Model, PlaneFlow, Residence, RunPlan, Setup, Simulation, WallImpacts,
+    HitRequest, KeptFrames, MeterKind, Model, PlaneFlow, Residence, RunPlan, Setup, Simulation,
+    WallImpacts,
 };
 use serde_json::Value;
 use std::fs;
@@ -55,6 +56,7 @@ fn request<'a>(directory: &'a Path, plan: &'a RunPlan, scene_text: &'a str) -> R
         plan,
         // Fewer than there are at first: spheres come in the middle of the run.
         spheres_up_to: 50,
+        live: None,
     }
 }
 
@@ -141,6 +143,17 @@ fn files(directory: &Path) -> Vec<String> {
     names
 }
 
+/// Every file of a directory with its bytes, but for the lock.
+fn contents(directory: &Path) -> Vec<(String, Vec<u8>)> {
+    files(directory)
+        .into_iter()
+        .filter(|name| name != "run.lock")
+        .map(|name| (name.clone(), directory.join(name)))
+        .filter(|(_, path)| path.is_file())
+        .map(|(name, path)| (name, fs::read(path).expect("it can be read")))
+        .collect()
+}
+
 #[test]
 fn an_interrupted_run_leaves_the_messages_and_the_summary_of_an_unbroken_one() {
     let directory = tempfile::tempdir().expect("a temporary directory can be made");
@@ -183,6 +196,62 @@ fn an_interrupted_run_leaves_the_messages_and_the_summary_of_an_unbroken_one() {
     );
     // A run that is over needs no checkpoint.
     assert_eq!(files(&broken), files(&whole));
+}
+
+#[test]
+fn frames_are_kept_as_asked_for_whether_or_not_the_run_was_interrupted() {
+    const LAST: f64 = 0.053;
+    const REACH: f64 = 0.011;
+    let directory = tempfile::tempdir().expect("a temporary directory can be made");
+    let [all, thinned, broken] =
+        ["all", "thinned", "broken"].map(|name| directory.path().join(name));
+    let plan = plan(END);
+    run_anew(&request(&all, &plan, SCENE_TEXT), 1, &mut go_on).expect("it runs to its end");
+    let selective = RunPlan {
+        kept_frames: KeptFrames {
+            of_last: Some(LAST),
+            around_worst_hits: Some(REACH),
+        },
+        ..plan
+    };
+    run_anew(&request(&thinned, &selective, SCENE_TEXT), 1, &mut go_on)
+        .expect("it runs to its end");
+    let broken_off = request(&broken, &selective, SCENE_TEXT);
+    run_anew(&broken_off, 1, &mut break_after(0.0)).expect("it is sound");
+    resume_until_over(&broken_off, &[2]);
+
+    let whole = messages(&all);
+    let times = |topic: &str| -> Vec<u64> {
+        let of_topic = whole.iter().filter(|message| message.0 == topic);
+        of_topic.map(|message| message.1).collect()
+    };
+    let (worst, frames) = (times("/hits/worst"), times("/pellets"));
+    let nanoseconds = |seconds: f64| (seconds * 1.0e9) as u64;
+    let is_kept = |time: u64| {
+        let end = *frames.last().expect("there are frames");
+        let is_near = |&moment: &u64| moment.abs_diff(time) <= nanoseconds(REACH);
+        time == frames[0] || end - time <= nanoseconds(LAST) || worst.iter().any(is_near)
+    };
+    let expected: Vec<_> = whole
+        .iter()
+        .filter(|message| match message.0.as_str() {
+            "/pellets" | "/pellets/spheres" | "/tf" => is_kept(message.1),
+            _ => true,
+        })
+        .map(|(topic, time, _, bytes)| (topic, time, bytes))
+        .collect();
+    // The hardest hits are those of the fall, well before the end.
+    assert!(expected.len() < whole.len() - 20, "{}", expected.len());
+    assert!(worst.len() == 20 && frames.iter().any(|&time| time > 0 && is_kept(time)));
+    for path in [&thinned, &broken] {
+        let found = messages(path);
+        let found: Vec<_> = found
+            .iter()
+            .map(|(topic, time, _, bytes)| (topic, time, bytes))
+            .collect();
+        assert!(found == expected, "{}", path.display());
+        assert_eq!(files(path), files(&all));
+    }
 }
 
 #[test]
@@ -274,6 +343,9 @@ fn what_cannot_go_on_is_refused_with_a_reason_and_left_as_it_is() {
     drop(held);
 
     fs::write(path.join("run.mcap"), &recording[..recording.len() / 2]).expect("it can be cut");
+    // What a user may have put there stays too.
+    fs::write(path.join("layout.json"), "mine").expect("it can be written");
+    let left = contents(&path);
     let Earlier::Unfinished(resumption) = earlier(&request(SCENE_TEXT)).expect("it is there")
     else {
         panic!("there is a checkpoint");
@@ -282,8 +354,7 @@ fn what_cannot_go_on_is_refused_with_a_reason_and_left_as_it_is() {
         .run(model(), 1, &request(SCENE_TEXT), &mut go_on)
         .expect_err("messages are missing");
     assert!(matches!(folder(short), FolderError::ShortRecording { .. }));
-    let left = fs::read(path.join("run.mcap")).expect("it is left");
-    assert_eq!(left, recording[..recording.len() / 2]);
+    assert_eq!(contents(&path), left);
 
     discard(&path).expect("it can be dropped");
     run_anew(&request(SCENE_TEXT), 1, &mut go_on).expect("it runs to its end");

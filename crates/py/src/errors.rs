@@ -2,7 +2,7 @@
 
 use crate::scene::{NAME_OF_DICTIONARY, python_from};
 use pelletflow_impact::ImpactError;
-use pelletflow_log::{ReadError, RunError};
+use pelletflow_log::{ReadError, RunError, SafeSettingError};
 use pelletflow_scene::{Mistake, Mistakes, OverrideError, Place, SceneError, StrengthCardError};
 use pelletflow_sim::StepError;
 use pyo3::exceptions::PyFileNotFoundError;
@@ -35,9 +35,9 @@ pub(crate) fn from_mistakes(py: Python<'_>, mistakes: &Mistakes) -> PyErr {
     scene_error(py, &mistakes.to_string(), mistakes)
 }
 
-/// A key of `set` that is none, as `SceneError`.
-pub(crate) fn from_override(py: Python<'_>, error: &OverrideError) -> PyErr {
-    scene_error(py, &error.to_string(), [])
+/// A key that cannot be set, as `SceneError`.
+pub(crate) fn from_override(py: Python<'_>, key: &str, error: &OverrideError) -> PyErr {
+    from_value(py, key, &error.to_string())
 }
 
 /// A Python value that no scene can hold, as `SceneError`.
@@ -112,6 +112,17 @@ pub(crate) fn from_card(py: Python<'_>, error: StrengthCardError) -> PyErr {
         StrengthCardError::Unreadable { path, source } => {
             from_scene(py, SceneError::Unreadable { path, source })
         }
+    }
+}
+
+/// A search for a safe setting that found nothing, as the error of its cause.
+pub(crate) fn from_safe_setting(py: Python<'_>, error: &SafeSettingError) -> PyErr {
+    let message = error.to_string();
+    match error {
+        SafeSettingError::Setup { .. } => scene_error(py, &message, []),
+        SafeSettingError::Run { .. } => raised(py, "PhysicsError", (message,)),
+        SafeSettingError::NotCrossed { .. } => from_input(py, &message, "range"),
+        _ => raised(py, "InputError", (message,)),
     }
 }
 

@@ -45,7 +45,11 @@ pub(crate) struct Arrivals<'py> {
     angle: Values<'py>,
     diameter: Values<'py>,
     density: Values<'py>,
-    youngs_modulus: Values<'py>,
+    /// One of the two moduli is given.
+    #[pyo3(default)]
+    youngs_modulus: Option<Values<'py>>,
+    #[pyo3(default)]
+    shear_modulus: Option<Values<'py>>,
     poisson_ratio: Values<'py>,
     onto_youngs_modulus: Values<'py>,
     onto_poisson_ratio: Values<'py>,
@@ -55,23 +59,23 @@ impl Arrivals<'_> {
     /// One of them, elastic.
     fn get(&self, index: usize) -> Arrival {
         let at = |values: &Values<'_>| values.as_array()[index];
-        let material = |density, youngs_modulus, poisson_ratio| Material {
-            density,
-            youngs_modulus,
-            poisson_ratio,
+        let (density, poisson_ratio) = (at(&self.density), at(&self.poisson_ratio));
+        let pellet = match (&self.shear_modulus, &self.youngs_modulus) {
+            (Some(shear), _) => Material::from_shear_modulus(density, at(shear), poisson_ratio),
+            (None, own) => Material {
+                density,
+                youngs_modulus: own.as_ref().map_or(f64::NAN, at),
+                poisson_ratio,
+            },
         };
         Arrival {
-            pellet: material(
-                at(&self.density),
-                at(&self.youngs_modulus),
-                at(&self.poisson_ratio),
-            ),
-            // What a surface weighs does not matter.
-            surface: material(
-                1.0,
-                at(&self.onto_youngs_modulus),
-                at(&self.onto_poisson_ratio),
-            ),
+            pellet,
+            surface: Material {
+                // What a surface weighs does not matter.
+                density: 1.0,
+                youngs_modulus: at(&self.onto_youngs_modulus),
+                poisson_ratio: at(&self.onto_poisson_ratio),
+            },
             diameter: at(&self.diameter),
             speed: at(&self.speed),
             angle: at(&self.angle),
@@ -157,14 +161,24 @@ pub(crate) struct Strengths<'py> {
     tests: Option<u32>,
 }
 
+/// Strengths that were told.
+pub(crate) struct Told {
+    pub(crate) strengths: Vec<Strength>,
+    /// Pressure that pellets yield under, where a card tells it [Pa].
+    pub(crate) yield_pressure: Option<f64>,
+}
+
 impl Strengths<'_> {
     /// One for each of `count` hits.
-    pub(crate) fn all(&self, py: Python<'_>, count: usize) -> PyResult<Vec<Strength>> {
+    pub(crate) fn all(&self, py: Python<'_>, count: usize) -> PyResult<Told> {
         if let Some(path) = &self.card {
             let card = StrengthCard::read(path).map_err(|error| errors::from_card(py, error))?;
-            return Ok(vec![card.strength; count]);
+            return Ok(Told {
+                strengths: vec![card.strength; count],
+                yield_pressure: card.yield_pressure,
+            });
         }
-        (0..count)
+        let strengths = (0..count)
             .map(|index| {
                 let at = |values: &Option<Values<'_>>| {
                     values.as_ref().map(|values| values.as_array()[index])
@@ -185,24 +199,30 @@ impl Strengths<'_> {
                     sample_size: self.tests,
                 })
             })
-            .collect()
+            .collect::<PyResult<_>>()?;
+        Ok(Told {
+            strengths,
+            yield_pressure: None,
+        })
     }
 }
 
 /// Safe speeds of hits: the load that breaks a share `risk` and the speed that reaches it, each with its interval.
+///
+/// `moduli` are the least and the greatest Young's modulus that a pellet may have; its own where there are none.
 #[pyfunction]
+#[pyo3(signature = (arrivals, strengths, risk, moduli))]
 pub(crate) fn safe_speeds<'py>(
     py: Python<'py>,
     arrivals: Arrivals<'py>,
     strengths: Strengths<'py>,
     risk: Values<'py>,
-    least_modulus: Values<'py>,
-    greatest_modulus: Values<'py>,
+    moduli: Option<[Values<'py>; 2]>,
 ) -> PyResult<Columns<'py>> {
     let arrivals = arrivals.all();
-    let strengths = strengths.all(py, arrivals.len())?;
-    let [risks, least, greatest] =
-        [risk, least_modulus, greatest_modulus].map(|values| values.as_array().to_vec());
+    let strengths = strengths.all(py, arrivals.len())?.strengths;
+    let risks = risk.as_array().to_vec();
+    let moduli = moduli.map(|ends| ends.map(|values| values.as_array().to_vec()));
     let safe = py.detach(|| {
         arrivals
             .iter()
@@ -215,7 +235,10 @@ pub(crate) fn safe_speeds<'py>(
                     },
                     ..*arrival
                 };
-                let moduli = [least[index], greatest[index]]
+                let own = arrival.pellet.youngs_modulus;
+                let moduli = moduli
+                    .as_ref()
+                    .map_or([own; 2], |ends| ends.each_ref().map(|values| values[index]))
                     .map(|modulus| with_modulus(modulus).elastic().effective_youngs_modulus);
                 arrival
                     .validate()

@@ -13,7 +13,9 @@ mod errors;
 mod impact;
 mod recording;
 mod run;
+mod safe_setting;
 mod scene;
+mod scene_copy;
 mod score;
 mod simulation;
 
@@ -27,13 +29,17 @@ fn command(py: Python<'_>, arguments: Vec<OsString>) -> u8 {
 }
 
 /// The Rust module: translation only.
-#[pymodule]
+///
+/// An interpreter without its lock switches it on: the module was never tested there.
+#[pymodule(gil_used = true)]
 fn _pelletflow(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add_function(wrap_pyfunction!(command, module)?)?;
     module.add_function(wrap_pyfunction!(run::run, module)?)?;
     module.add_function(wrap_pyfunction!(scene::scene, module)?)?;
-    module.add_function(wrap_pyfunction!(scene::toml_table, module)?)?;
+    module.add_function(wrap_pyfunction!(scene::scene_tables, module)?)?;
+    module.add_function(wrap_pyfunction!(scene::scene_value, module)?)?;
+    module.add_function(wrap_pyfunction!(scene::parts_of, module)?)?;
     module.add_function(wrap_pyfunction!(scene::schema, module)?)?;
     module.add_function(wrap_pyfunction!(impact::library, module)?)?;
     module.add_function(wrap_pyfunction!(impact::mean_interval, module)?)?;
@@ -41,9 +47,10 @@ fn _pelletflow(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(impact::safe_speeds, module)?)?;
     module.add_function(wrap_pyfunction!(score::scores, module)?)?;
     module.add_function(wrap_pyfunction!(score::score_energy, module)?)?;
-    module.add_function(wrap_pyfunction!(score::card_yield_pressure, module)?)?;
+    module.add_function(wrap_pyfunction!(safe_setting::safe_setting, module)?)?;
     module.add_function(wrap_pyfunction!(recording::read, module)?)?;
     module.add_function(wrap_pyfunction!(recording::table_kinds, module)?)?;
+    module.add_function(wrap_pyfunction!(simulation::restored, module)?)?;
     module.add_class::<batch::Batch>()?;
     module.add_class::<simulation::Simulation>()
 }

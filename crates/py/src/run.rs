@@ -34,6 +34,7 @@ pub(crate) fn run<'py>(
         scene_files: &scene.files,
         plan: &scene.plan,
         spheres_up_to: scene.output.spheres_up_to,
+        live: None,
     };
 
     let start = Start::new(py, unfinished, &scene, &request, threads)?;
@@ -84,9 +85,16 @@ impl Start {
     ) -> PyResult<Self> {
         let refused = |error: RunError| errors::from_run(py, &error);
         match unfinished {
-            "refuse" => pelletflow_log::admit(request.directory).map_err(refused)?,
-            "restart" => pelletflow_log::discard(request.directory).map_err(refused)?,
-            "resume" => match pelletflow_log::earlier(request).map_err(refused)? {
+            "refuse" => py
+                .detach(|| pelletflow_log::admit(request.directory))
+                .map_err(refused)?,
+            "restart" => py
+                .detach(|| pelletflow_log::discard(request.directory))
+                .map_err(refused)?,
+            "resume" => match py
+                .detach(|| pelletflow_log::earlier(request))
+                .map_err(refused)?
+            {
                 Earlier::Nothing => {}
                 Earlier::Unfinished(resumption) => return Ok(Self::GoingOn(resumption)),
                 Earlier::Finished(summary) => return Ok(Self::Over(summary)),
@@ -97,7 +105,8 @@ impl Start {
                 return Err(errors::from_input(py, &message, "unfinished"));
             }
         }
-        let simulation = Simulation::new(scene.model.clone(), threads)
+        let simulation = py
+            .detach(|| Simulation::new(scene.model.clone(), threads))
             .map_err(|errors| errors::from_mistakes(py, &scene.locate(&errors)))?;
         Ok(Self::Anew(Box::new(simulation)))
     }

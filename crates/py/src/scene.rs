@@ -1,7 +1,7 @@
 //! Scenes from Python: a path or a dictionary, and values to set.
 
 use crate::errors;
-use pelletflow_scene::{Override, Scene};
+use pelletflow_scene::{Override, Scene, SceneError, text_of_file, text_of_tables};
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyInt, PyMapping, PyString};
 use serde::Serialize;
@@ -14,30 +14,79 @@ pub(crate) const NAME_OF_DICTIONARY: &str = "scene";
 /// Method of a `Scene` that gives what it is made of.
 const PARTS: &str = "_base_and_set";
 
-/// Reads and validates a scene given as a path or a dictionary.
+/// A scene as Python gives it, with what is set in it; Python is needed no more to read it.
+pub(crate) struct Given {
+    base: Base,
+    overrides: Vec<Override>,
+}
+
+enum Base {
+    File(PathBuf),
+    Tables(Value),
+}
+
+impl Given {
+    /// Takes a path, a dictionary or a `Scene`, and values to set; these come last.
+    pub(crate) fn new(
+        scene: &Bound<'_, PyAny>,
+        set: Option<&Bound<'_, PyMapping>>,
+    ) -> PyResult<Self> {
+        let mut given = if scene.hasattr(PARTS)? {
+            let (base, own): (Bound<'_, PyAny>, Bound<'_, PyDict>) =
+                scene.call_method0(PARTS)?.extract()?;
+            Self::new(&base, Some(own.as_mapping()))?
+        } else {
+            let base = if let Ok(table) = scene.cast::<PyMapping>() {
+                Base::Tables(value_of(table.as_any(), "")?)
+            } else {
+                Base::File(scene.extract()?)
+            };
+            Self {
+                base,
+                overrides: Vec::new(),
+            }
+        };
+        if let Some(set) = set {
+            given.overrides.extend(overrides(set)?);
+        }
+        Ok(given)
+    }
+
+    /// Reads and validates the scene.
+    pub(crate) fn read(&self) -> Result<Scene, SceneError> {
+        match &self.base {
+            Base::File(path) => Scene::read(path, &self.overrides),
+            Base::Tables(tables) => Scene::from_value(tables, NAME_OF_DICTIONARY, &self.overrides),
+        }
+    }
+
+    /// Reads and validates the scene with one more value set.
+    pub(crate) fn read_with(&self, set: Override) -> Result<Scene, SceneError> {
+        let overrides: Vec<_> = self.overrides.iter().cloned().chain([set]).collect();
+        match &self.base {
+            Base::File(path) => Scene::read(path, &overrides),
+            Base::Tables(tables) => Scene::from_value(tables, NAME_OF_DICTIONARY, &overrides),
+        }
+    }
+
+    /// The text of the scene, not validated.
+    fn text(&self) -> Result<String, SceneError> {
+        match &self.base {
+            Base::File(path) => text_of_file(path, &self.overrides),
+            Base::Tables(tables) => text_of_tables(tables, NAME_OF_DICTIONARY, &self.overrides),
+        }
+    }
+}
+
+/// Reads and validates a scene given as a path, a dictionary or a `Scene`.
 pub(crate) fn read(
     scene: &Bound<'_, PyAny>,
     set: Option<&Bound<'_, PyMapping>>,
 ) -> PyResult<Scene> {
     let py = scene.py();
-    if scene.hasattr(PARTS)? {
-        // A `Scene`: what it is made of, with what is set in it.
-        let (base, own): (Bound<'_, PyAny>, Bound<'_, PyDict>) =
-            scene.call_method0(PARTS)?.extract()?;
-        if let Some(set) = set {
-            own.update(set)?;
-        }
-        return read(&base, Some(own.as_mapping()));
-    }
-    let overrides = overrides(py, set)?;
-    let result = if let Ok(table) = scene.cast::<PyMapping>() {
-        let value = value_of(table.as_any(), "")?;
-        py.detach(|| Scene::from_value(&value, NAME_OF_DICTIONARY, &overrides))
-    } else {
-        let path: PathBuf = scene.extract()?;
-        py.detach(|| Scene::read(&path, &overrides))
-    };
-    result.map_err(|error| errors::from_scene(py, error))
+    let given = Given::new(scene, set)?;
+    py.detach(|| given.read())
+        .map_err(|error| errors::from_scene(py, error))
 }
 
 /// Validates a scene: its name, title, hash, text with all that was set, and what was chosen for the user.
@@ -55,15 +104,39 @@ pub(crate) fn scene<'py>(
     facts.set_item("hash", read.hash)?;
     facts.set_item("text", read.text)?;
     facts.set_item("notes", read.notes)?;
+    facts.set_item("seed", read.setup.seed)?;
     Ok(facts)
 }
 
-/// The tables of a TOML text as dictionaries.
+/// The tables of a scene with what is set in them, not validated.
 #[pyfunction]
-pub(crate) fn toml_table<'py>(py: Python<'py>, text: &str) -> PyResult<Bound<'py, PyAny>> {
-    let table: toml::Table =
-        toml::from_str(text).map_err(|error| errors::from_value(py, "", &error.to_string()))?;
-    python_from(py, &table)
+#[pyo3(signature = (scene, set=None))]
+pub(crate) fn scene_tables<'py>(
+    scene: &Bound<'py, PyAny>,
+    set: Option<&Bound<'py, PyMapping>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let py = scene.py();
+    let given = Given::new(scene, set)?;
+    let text = py.detach(|| given.text());
+    let text = text.map_err(|error| errors::from_scene(py, error))?;
+    let tables: toml::Table =
+        toml::from_str(&text).map_err(|error| errors::from_value(py, "", &error.to_string()))?;
+    python_from(py, &tables)
+}
+
+/// A value as a scene holds it: dictionaries, lists, numbers, texts and truth values, shared with nothing.
+#[pyfunction]
+pub(crate) fn scene_value<'py>(
+    key: &str,
+    value: &Bound<'py, PyAny>,
+) -> PyResult<Bound<'py, PyAny>> {
+    python_from(value.py(), &value_of(value, key)?)
+}
+
+/// The parts of a dotted key.
+#[pyfunction]
+pub(crate) fn parts_of(py: Python<'_>, key: &str) -> PyResult<Vec<String>> {
+    pelletflow_scene::parts_of(key).map_err(|error| errors::from_override(py, key, &error))
 }
 
 /// The JSON Schema of a scene.
@@ -81,18 +154,16 @@ pub(crate) fn python_from<'py>(
     py.import("json")?.call_method1("loads", (text,))
 }
 
-fn overrides(py: Python<'_>, set: Option<&Bound<'_, PyMapping>>) -> PyResult<Vec<Override>> {
-    let Some(set) = set else {
-        return Ok(Vec::new());
-    };
-    let mut overrides = Vec::new();
-    for item in set.items()? {
-        let (key, value): (String, Bound<'_, PyAny>) = item.extract()?;
-        let text = toml_text(&value_of(&value, &key)?);
-        let parsed: Result<Override, _> = format!("{key}={text}").parse();
-        overrides.push(parsed.map_err(|error| errors::from_override(py, &error))?);
-    }
-    Ok(overrides)
+/// Values to set, in order.
+fn overrides(set: &Bound<'_, PyMapping>) -> PyResult<Vec<Override>> {
+    set.items()?
+        .iter()
+        .map(|item| {
+            let (key, value): (String, Bound<'_, PyAny>) = item.extract()?;
+            Override::of_value(&key, &value_of(&value, &key)?)
+                .map_err(|error| errors::from_override(set.py(), &key, &error))
+        })
+        .collect()
 }
 
 /// A Python value as the scene knows values; `key` says where it stands.
@@ -143,23 +214,4 @@ fn number_of(value: &Bound<'_, PyAny>) -> Option<Number> {
         return value.extract::<i64>().ok().map(Number::from);
     }
     value.extract::<f64>().ok().and_then(Number::from_f64)
-}
-
-/// A value as TOML writes it.
-fn toml_text(value: &Value) -> String {
-    match value {
-        Value::Array(items) => {
-            let items: Vec<String> = items.iter().map(toml_text).collect();
-            format!("[{}]", items.join(", "))
-        }
-        Value::Object(table) => {
-            let rows: Vec<String> = table
-                .iter()
-                .map(|(key, value)| format!("{} = {}", Value::from(key.as_str()), toml_text(value)))
-                .collect();
-            format!("{{{}}}", rows.join(", "))
-        }
-        // The rest is written alike in JSON and TOML.
-        plain => plain.to_string(),
-    }
 }

@@ -10,6 +10,9 @@ use pelletflow_scene::StrengthCard;
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
 
+/// The share to go by, with its least and its most, and all that was found.
+type Answer<'py> = (f64, [f64; 2], Bound<'py, PyAny>);
+
 /// Pellets broken by the hits of a recording, for each of `count` strengths.
 #[pyfunction]
 pub(crate) fn scores<'py>(
@@ -19,14 +22,17 @@ pub(crate) fn scores<'py>(
     yield_pressure: Option<PyReadonlyArray1<'py, f64>>,
     count: usize,
     places: usize,
-) -> PyResult<Vec<Bound<'py, PyAny>>> {
-    let laws = strengths.all(py, count)?.into_iter().map(StrengthLaw::Load);
+) -> PyResult<Vec<Answer<'py>>> {
+    let told = strengths.all(py, count)?;
     let pressures = yield_pressure.map(|values| values.as_array().to_vec());
-    let requests: Vec<_> = laws
+    let own = told.yield_pressure;
+    let requests: Vec<_> = told
+        .strengths
+        .into_iter()
         .enumerate()
-        .map(|(index, law)| BreakageRequest {
-            law,
-            yield_pressure: pressures.as_ref().map(|pressures| pressures[index]),
+        .map(|(index, strength)| BreakageRequest {
+            law: StrengthLaw::Load(strength),
+            yield_pressure: pressures.as_ref().map_or(own, |given| Some(given[index])),
             places,
         })
         .collect();
@@ -41,7 +47,7 @@ pub(crate) fn score_energy(
     path: PathBuf,
     card: PathBuf,
     places: usize,
-) -> PyResult<Vec<Bound<'_, PyAny>>> {
+) -> PyResult<Vec<Answer<'_>>> {
     let read = StrengthCard::read(&card).map_err(|error| errors::from_card(py, error))?;
     let Some(energy) = read.fracture_energy else {
         let message = format!(
@@ -58,13 +64,6 @@ pub(crate) fn score_energy(
     answers(py, &read_recorded(py, &path)?, &[request])
 }
 
-/// Yield pressure that a card tells [Pa].
-#[pyfunction]
-pub(crate) fn card_yield_pressure(py: Python<'_>, card: PathBuf) -> PyResult<Option<f64>> {
-    let card = StrengthCard::read(&card).map_err(|error| errors::from_card(py, error))?;
-    Ok(card.yield_pressure)
-}
-
 fn read_recorded(py: Python<'_>, path: &Path) -> PyResult<RecordedHits> {
     py.detach(|| read_hits(path))
         .map_err(|error| errors::from_read(py, &error, path))
@@ -74,7 +73,7 @@ fn answers<'py>(
     py: Python<'py>,
     recorded: &RecordedHits,
     requests: &[BreakageRequest],
-) -> PyResult<Vec<Bound<'py, PyAny>>> {
+) -> PyResult<Vec<Answer<'py>>> {
     requests
         .iter()
         .enumerate()
@@ -82,7 +81,8 @@ fn answers<'py>(
             let answer = py
                 .detach(|| breakage(recorded, request))
                 .map_err(|error| errors::from_impact(py, &error, index))?;
-            python_from(py, &answer)
+            let share = answer.believed();
+            Ok((share.share, share.interval, python_from(py, &answer)?))
         })
         .collect()
 }

@@ -4,11 +4,13 @@ use crate::arrays;
 use crate::batch::Batch;
 use crate::errors;
 use crate::scene::{python_from, read};
+use crate::scene_copy::SceneCopy;
 use numpy::{PyArray1, PyArray2};
-use pelletflow_log::hits_table;
-use pelletflow_sim::{Model, Pellets, Setup, SetupError};
+use pelletflow_log::{hits_table, snapshot_from_bytes, snapshot_to_bytes};
+use pelletflow_scene::Scene;
+use pelletflow_sim::{Model, Pellets};
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict, PyMapping};
+use pyo3::types::{PyBool, PyBytes, PyDict, PyMapping};
 use std::time::{Duration, Instant};
 
 /// Time between two looks for Ctrl-C, about.
@@ -16,11 +18,53 @@ const LOOK_INTERVAL: Duration = Duration::from_millis(50);
 
 /// A run in memory, stepped by hand.
 ///
-/// The arrays are copies made in one pass, with one row per pellet inside, in order of `ids`:
-/// the next step may lay the pellets anew in memory, which a view would show in disorder.
+/// The arrays are copies, with one row per pellet inside, in order of `ids`: what was taken before
+/// a step is not changed by it.
+///
+/// >>> import pelletflow as pf
+/// >>> simulation = pf.Simulation("chute.toml", threads=1)
+/// >>> simulation.step(10)
+/// >>> simulation.step_count
+/// 10
 #[pyclass(module = "pelletflow")]
 pub(crate) struct Simulation {
     inner: pelletflow_sim::Simulation,
+    scene: SceneCopy,
+    /// Threads asked for; none where it is left to the machine.
+    threads: Option<usize>,
+}
+
+/// What a pickled simulation is made of: the scene, threads asked for, whether hits are followed, and the state.
+type Pickled<'py> = (SceneCopy, Option<usize>, bool, Bound<'py, PyBytes>);
+
+/// The model of a scene, in which hits are followed where somebody takes them: else they would pile up.
+fn model_of(scene: &Scene, hits: bool) -> Model {
+    let model = scene.model.clone();
+    if hits { model } else { model.without_hits() }
+}
+
+/// A simulation that was pickled.
+#[pyfunction]
+pub(crate) fn restored(
+    py: Python<'_>,
+    scene: SceneCopy,
+    threads: Option<usize>,
+    hits: bool,
+    state: &[u8],
+) -> PyResult<Simulation> {
+    let snapshot = snapshot_from_bytes(state)
+        .map_err(|error| errors::from_input(py, &error.to_string(), "Simulation"))?;
+    let scene = scene.read(py)?;
+    let inner = py.detach(|| {
+        let model = model_of(&scene, hits);
+        pelletflow_sim::Simulation::restore(model, threads.unwrap_or(0), snapshot)
+    });
+    let inner = inner.map_err(|error| errors::from_input(py, &error.to_string(), "Simulation"))?;
+    Ok(Simulation {
+        inner,
+        scene: SceneCopy::of(scene),
+        threads,
+    })
 }
 
 impl Simulation {
@@ -59,20 +103,21 @@ impl Simulation {
     ) -> PyResult<Self> {
         let py = scene.py();
         let scene = read(scene, set)?;
-        let refused = |errors: &[SetupError]| errors::from_mistakes(py, &scene.locate(errors));
-        let model = if hits {
-            scene.model.clone()
-        } else {
-            // Nobody would take them, and they would pile up.
-            let setup = Setup {
-                hits: None,
-                ..scene.setup.clone()
-            };
-            Model::new(setup).map_err(|errors| refused(&errors))?
-        };
-        let inner = pelletflow_sim::Simulation::new(model, threads.unwrap_or(0))
-            .map_err(|errors| refused(&errors))?;
-        Ok(Self { inner })
+        if hits && scene.setup.hits.is_none() {
+            let message = "hits is True, and the scene says `hits = false` in [output]; leave one of them out";
+            return Err(errors::from_input(py, message, "hits"));
+        }
+        let inner = py
+            .detach(|| {
+                let model = model_of(&scene, hits);
+                pelletflow_sim::Simulation::new(model, threads.unwrap_or(0))
+            })
+            .map_err(|errors| errors::from_mistakes(py, &scene.locate(&errors)))?;
+        Ok(Self {
+            inner,
+            scene: SceneCopy::of(scene),
+            threads,
+        })
     }
 
     /// Advance by `n` time steps [-], and call `callback` with the simulation after every `every` of them.
@@ -113,8 +158,8 @@ impl Simulation {
     fn take_hits<'py>(&mut self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let setup = self.inner.model().setup();
         if setup.hits.is_none() {
-            let message = "this simulation follows no hits; make it with `hits=True`, and take them now and then, \
-                           because they are held in memory until then";
+            let message = "this simulation follows no hits; make it anew with `hits=True`, because what has passed was not \
+                           kept";
             return Err(errors::from_input(py, message, "hits"));
         }
         let walls: Vec<String> = setup.walls.iter().map(|wall| wall.name.clone()).collect();
@@ -125,11 +170,19 @@ impl Simulation {
             .call_method1("_of", (batch,))
     }
 
-    /// Refused: its state is far larger than the scene that it follows from.
-    fn __reduce__(slf: &Bound<'_, Self>) -> PyResult<()> {
-        let message = "a Simulation does not pickle; send its scene and the number of steps, which give the same bits \
-                       anywhere";
-        Err(errors::from_input(slf.py(), message, "Simulation"))
+    /// Pickles as its scene and its state, of the same version alone.
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Pickled<'py>)> {
+        let inner = &self.inner;
+        let state = py.detach(|| snapshot_to_bytes(&inner.snapshot()));
+        let restored = py.import("pelletflow._pelletflow")?.getattr("restored")?;
+        let follows_hits = inner.model().setup().hits.is_some();
+        let parts = (
+            self.scene.clone(),
+            self.threads,
+            follows_hits,
+            PyBytes::new(py, &state),
+        );
+        Ok((restored, parts))
     }
 
     /// Draw the pellets as circles colored by speed [m/s]; needs matplotlib.

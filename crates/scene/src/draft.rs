@@ -2,7 +2,7 @@
 
 use crate::key_path::KeyPath;
 use crate::mistakes::{Findings, Mistakes, SceneError};
-use crate::overrides::Override;
+use crate::overrides::{Override, counting};
 use crate::resolve::{MeshFile, Resolved, Unresolved, resolve};
 use crate::schema::SCHEMA;
 use crate::source::Source;
@@ -81,7 +81,7 @@ fn with_files_beside(text: String, files: &[MeshFile]) -> String {
 }
 
 /// The text with its overrides, and the same as one value.
-fn with_overrides(
+pub(crate) fn with_overrides(
     source: &mut Source,
     overrides: &[Override],
 ) -> Result<(String, Value), Mistakes> {
@@ -90,7 +90,7 @@ fn with_overrides(
         return Ok((source.text().to_owned(), as_value(document)));
     }
     let mut findings = Findings::default();
-    for set in overrides {
+    for set in counting(overrides) {
         source.mark_overridden(set.path());
         set.apply(&mut document, &mut findings);
     }

@@ -20,6 +20,7 @@ mod quantity;
 mod resolve;
 mod scene;
 mod schema;
+mod setting;
 mod source;
 mod spec;
 mod strength_card;
@@ -27,6 +28,7 @@ mod suggest;
 mod template;
 mod units;
 mod walk;
+mod written;
 
 pub use difference::{Difference, differences};
 pub use expect::{ExpectationOutcome, Expectations};
@@ -34,14 +36,16 @@ pub use lab_sheet::{LabSheet, LabSheetError};
 pub use measure::{MeasureError, measure};
 pub use mesh::{BakeReport, MeshReport, Rim};
 pub use mistakes::{Mistake, Mistakes, Place, SceneError};
-pub use overrides::{Override, OverrideError};
+pub use overrides::{Override, OverrideError, parts_of};
 pub use resolve::{OutputOptions, Strength};
 pub use scene::Scene;
 pub use schema::schema;
+pub use setting::{Setting, SettingError};
 pub use strength_card::{Provenance, StrengthCard, StrengthCardError, Tumble};
 pub use suggest::instead;
 pub use template::{TEMPLATES, Template};
 pub use units::Kind;
+pub use written::{text_of_file, text_of_tables};
 
 #[cfg(test)]
 mod contract;

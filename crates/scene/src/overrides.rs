@@ -1,7 +1,8 @@
-//! Values set from the command line: `walls.gate.opens_at="2 s"`.
+//! Values set in place of a scene's: `walls.gate.opens_at="2 s"`.
 
 use crate::key_path::KeyPath;
 use crate::mistakes::Findings;
+use serde::Serialize;
 use std::fmt;
 use std::str::FromStr;
 use toml_edit::{DocumentMut, Item, Key, Table, Value};
@@ -29,6 +30,33 @@ pub enum OverrideError {
     /// What stands before the `=` is no dotted key.
     #[error("`{0}` is not a dotted key such as walls.gate.opens_at")]
     NotAKey(String),
+    /// The value of a key is nothing that a scene can hold.
+    #[error("`{0}` is set to nothing; give it a value, or leave it out")]
+    NoValue(String),
+}
+
+/// The parts of a dotted key, as TOML reads it: a name in quotes may hold dots.
+///
+/// # Errors
+/// It is no dotted key.
+pub fn parts_of(key: &str) -> Result<Vec<String>, OverrideError> {
+    let parts = Key::parse(key).map_err(|_| OverrideError::NotAKey(key.into()))?;
+    Ok(parts.iter().map(|part| part.get().to_owned()).collect())
+}
+
+/// The overrides that count, in order of their keys.
+///
+/// A later one takes the place of those before it that set its key, or a key in it.
+/// What is left sets independent keys, or keys in a table that another one sets as a whole, which comes first: the text
+/// that they make does not depend on the order in which they were given.
+pub(crate) fn counting(overrides: &[Override]) -> Vec<&Override> {
+    let mut counting: Vec<&Override> = Vec::new();
+    for set in overrides {
+        counting.retain(|earlier| !earlier.keys.starts_with(&set.keys));
+        counting.push(set);
+    }
+    counting.sort_by(|one, other| one.keys.cmp(&other.keys));
+    counting
 }
 
 impl FromStr for Override {
@@ -60,6 +88,21 @@ impl fmt::Display for Override {
 }
 
 impl Override {
+    /// A key and its value as JSON has it.
+    ///
+    /// # Errors
+    /// The key is no dotted key, or the value is null or holds it: a key is left out by not setting it.
+    pub fn of_value(key: &str, value: &serde_json::Value) -> Result<Self, OverrideError> {
+        let value = value
+            .serialize(toml_edit::ser::ValueSerializer::new())
+            .map_err(|_| OverrideError::NoValue(key.into()))?;
+        Ok(Self {
+            key: key.trim().to_owned(),
+            keys: parts_of(key)?,
+            value,
+        })
+    }
+
     fn new(keys: &[Key], key: &str, value: &str) -> Self {
         let value = value.trim();
         Self {

@@ -52,10 +52,7 @@ impl Scene {
     /// # Errors
     /// The file cannot be read, or there are mistakes in it; all that were found.
     pub fn read(path: &Path, overrides: &[Override]) -> Result<Self, SceneError> {
-        let text = Source::read(path).map_err(|source| SceneError::Unreadable {
-            path: path.to_owned(),
-            source,
-        })??;
+        let text = Source::of_file(path)?;
         let name = path
             .file_stem()
             .map_or_else(|| "scene".into(), |stem| stem.to_string_lossy());

@@ -1,7 +1,7 @@
 //! The text of a scene, and on which line of it a key stands.
 
 use crate::key_path::{KeyPath, Segment};
-use crate::mistakes::{Finding, Findings, Mistake, Mistakes, Place};
+use crate::mistakes::{Finding, Findings, Mistake, Mistakes, Place, SceneError};
 use std::io::{self, Read};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -56,14 +56,29 @@ impl Source {
         }))
     }
 
+    /// The text of a scene file.
+    pub(crate) fn of_file(path: &Path) -> Result<String, SceneError> {
+        let text = Self::read(path).map_err(|source| SceneError::Unreadable {
+            path: path.to_owned(),
+            source,
+        })?;
+        Ok(text?)
+    }
+
     /// A text with lines that the user knows.
     pub(crate) fn new(label: &str, text: &str) -> Result<Self, Mistakes> {
-        let document =
-            Document::parse(text.to_owned()).map_err(|error| not_toml(label, text, &error))?;
-        if document.as_table().is_empty() {
+        let source = Self::unchecked(label, text)?;
+        if source.document.as_table().is_empty() {
             let message = "the scene is empty; `pelletflow new hopper` writes one to start from";
             return Err(whole(label, message.into()));
         }
+        Ok(source)
+    }
+
+    /// A text that may still be empty.
+    pub(crate) fn unchecked(label: &str, text: &str) -> Result<Self, Mistakes> {
+        let document =
+            Document::parse(text.to_owned()).map_err(|error| not_toml(label, text, &error))?;
         Ok(Self {
             label: label.into(),
             document,
@@ -118,7 +133,13 @@ impl Source {
 
     fn place(&self, path: &KeyPath) -> Place {
         // A missing key of a table that an override made is also the override's.
-        if let Some(key) = self.overridden.iter().find(|key| key.leads_to(path)) {
+        // So is a table that is there for the override alone.
+        let made = |key: &&KeyPath| path.leads_to(key) && !self.holds(path);
+        let overridden = || self.overridden.iter();
+        let key = overridden()
+            .find(|key| key.leads_to(path))
+            .or_else(|| overridden().find(made));
+        if let Some(key) = key {
             return Place::Override(key.to_string());
         }
         match self.span(path) {
@@ -128,6 +149,18 @@ impl Source {
             },
             _ => Place::Whole,
         }
+    }
+
+    /// Whether the text has a value at a path.
+    fn holds(&self, path: &KeyPath) -> bool {
+        let mut item = Step::Item(self.document.as_item());
+        for segment in path.segments() {
+            match item.down(segment) {
+                Some((_, next)) => item = next,
+                None => return false,
+            }
+        }
+        true
     }
 
     /// Span of a value's key, or of the nearest table that holds it.

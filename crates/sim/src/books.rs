@@ -51,6 +51,21 @@ pub struct EnergyBooks {
     pub wall_work: f64,
     /// The same without regard to sign [J].
     pub wall_work_size: f64,
+    /// What the sums grew by in the last step.
+    pub powers: Powers,
+    /// Greatest throughput at the end of a step so far [J].
+    pub greatest_throughput: f64,
+}
+
+/// What contacts and walls do in an instant.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct Powers {
+    /// Turned into heat by the normal direction of contacts [W].
+    pub damping: f64,
+    /// Worked on springs, dampers and sliders against sliding, rolling and twisting [W].
+    pub shear: f64,
+    /// Done by walls [W].
+    pub walls: f64,
 }
 
 impl Books {
@@ -102,9 +117,26 @@ impl EnergyBooks {
             - self.wall_work
     }
 
-    /// Energy that went through the books [J].
+    /// Energy that went through the books [J]: the greatest so far, since what swings between motion and height is less at
+    /// the top of each swing.
     pub fn throughput(&self) -> f64 {
+        self.throughput_now().max(self.greatest_throughput)
+    }
+
+    fn throughput_now(&self) -> f64 {
         self.kinetic + self.stored() + self.dissipated() + self.wall_work_size
+    }
+
+    /// Enters what was done since the last step, a time before [s]: with half of the power then and half of that now, because
+    /// by now the pellets have felt half of the kick of now.
+    pub(crate) fn work(&mut self, powers: Powers, time: f64) {
+        let last = std::mem::replace(&mut self.powers, powers);
+        let half = 0.5 * time;
+        self.damped += half * (last.damping + powers.damping);
+        self.shear_work += half * (last.shear + powers.shear);
+        self.wall_work += half * (last.walls + powers.walls);
+        self.wall_work_size += half * (last.walls.abs() + powers.walls.abs());
+        self.greatest_throughput = self.throughput();
     }
 
     /// Enters pellets that come in (`sign` 1) or go out (−1) with these energies [J].

@@ -27,12 +27,44 @@ impl SetupError {
 pub enum StepError {
     /// A position or velocity is not a number.
     #[error(
-        "pellet {pellet} has a position or velocity that is not finite at step {step}, t = {time:.6} s; \
-         lower `time.peak_force_error`, so that the step shrinks"
+        "pellet {pellet} has a position or velocity that is not finite at step {step}, t = {time:.6} s, after ({:.4}, {:.4}, {:.4}) m \
+         with {speed:.2} m/s: a force on it has passed every number; lower `time.peak_force_error`, so that the step shrinks, \
+         and look for a material, a size or a speed that is off by powers of ten",
+        position.x, position.y, position.z
     )]
     NotFinite {
         /// Permanent number of the pellet [-].
         pellet: u32,
+        /// Where it was before the step [m].
+        position: Vec3,
+        /// How fast it was [m/s].
+        speed: f64,
+        /// Step [-].
+        step: u64,
+        /// Simulated time [s].
+        time: f64,
+    },
+    /// A pellet too fast for the step.
+    #[error(
+        "pellet {pellet} moves at {speed:.2} m/s at step {step}, t = {time:.6} s, near ({:.4}, {:.4}, {:.4}) m; the step of {seconds:.3e} s \
+         was chosen for {expected:.2} m/s and is too large beyond {limit:.2} m/s, where hits have too few steps or pellets pass thin \
+         walls; look for what throws the pellet, such as one that begins inside another body; if it is meant to be that fast, lower \
+         `time.peak_force_error` or `time.step`",
+        position.x, position.y, position.z
+    )]
+    StepTooLarge {
+        /// Permanent number of the pellet [-].
+        pellet: u32,
+        /// Where it is [m].
+        position: Vec3,
+        /// How fast [m/s].
+        speed: f64,
+        /// The limit [m/s].
+        limit: f64,
+        /// Speed of the fastest hit expected [m/s].
+        expected: f64,
+        /// The time step [s].
+        seconds: f64,
         /// Step [-].
         step: u64,
         /// Simulated time [s].
@@ -60,7 +92,7 @@ pub enum StepError {
     },
     /// A pellet that left the domain without an outlet.
     #[error(
-        "pellet {pellet} left the domain at ({:.4}, {:.4}, {:.4}) m with {speed:.2} m/s at t = {time:.6} s, nearest wall \
+        "pellet {pellet} left the domain at ({:.4}, {:.4}, {:.4}) m with {speed:.2} m/s at step {step}, t = {time:.6} s, nearest wall \
          {nearest_wall}; close the gap, widen `domain` or put an outlet there",
         position.x, position.y, position.z
     )]
@@ -73,15 +105,20 @@ pub enum StepError {
         speed: f64,
         /// The nearest wall and its distance, ready to print.
         nearest_wall: String,
+        /// Step [-].
+        step: u64,
         /// Simulated time [s].
         time: f64,
     },
     /// An energy ledger that does not close.
     #[error(
-        "the energy ledger is off by {residual:.3e} J of {throughput:.3e} J at step {step}, t = {time:.6} s, more than \
-         {limit} (`limits.energy_residual`); lower `time.peak_force_error`, so that the step shrinks"
+        "{} {:.3e} J of the {throughput:.3e} J that went through the energy ledger at step {step}, t = {time:.6} s, more than \
+         {limit} of it (`limits.energy_residual`); {fastest}; the step is too large for what happens: lower `time.peak_force_error`, so that it shrinks",
+        if *residual > 0.0 { "contacts have made" } else { "contacts have lost" }, residual.abs()
     )]
     Energy {
+        /// The fastest pellet, ready to print.
+        fastest: String,
         /// What is missing or too much [J].
         residual: f64,
         /// Energy that went through the ledger [J].

@@ -137,6 +137,7 @@ fn loss(
             || String::from("none"),
             |(name, distance)| format!("`{name}` at {distance:.4} m"),
         ),
+        step: state.step,
         time: state.step as f64 * model.time_step().seconds,
     }
 }

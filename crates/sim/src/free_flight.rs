@@ -17,7 +17,7 @@ const MOST_STEPS: usize = 64;
 /// Flies for at most `most` steps, and gives how many it took: none where something is near or has to be looked at.
 ///
 /// # Errors
-/// Some pellet's speed is not finite.
+/// Some pellet's speed is not finite or past the limit, at the end of the flight; what is told of it is from the beginning.
 pub(crate) fn fly(
     model: &Model,
     state: &mut State,
@@ -40,7 +40,7 @@ pub(crate) fn fly(
         chunk.loads.fill(Load::default());
     }
     let fastest = advance(model, state, workspace, steps as usize);
-    health::check_finite(model, state, workspace)?;
+    health::check_speed(model, state, workspace)?;
     state.pellets.exchange_rows(model, &mut workspace.next);
     let time_step = model.time_step().seconds;
     for speed_squared in &fastest[..steps as usize - 1] {

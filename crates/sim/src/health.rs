@@ -2,7 +2,7 @@
 
 use crate::error::StepError;
 use crate::model::Model;
-use crate::state::{State, vector};
+use crate::state::{Row, State, vector};
 use crate::tally::{DeepestContact, Partner, Tally};
 use crate::wall::{Wall, WallNow};
 use crate::workspace::Workspace;
@@ -82,29 +82,47 @@ pub(crate) fn check_gates(
     Ok(())
 }
 
-/// Refuses positions and velocities that are not numbers.
+/// Refuses speeds that are not numbers, and those that the step is too large for, before the pellets move.
 ///
 /// # Errors
-/// Some pellet's speed is not finite.
-pub(crate) fn check_finite(
+/// Some pellet's speed is not finite or past the limit.
+pub(crate) fn check_speed(
     model: &Model,
     state: &State,
     workspace: &Workspace,
 ) -> Result<(), StepError> {
     let tally = &workspace.tally;
-    if tally.max_speed_squared.is_finite() && tally.kinetic.is_finite() {
+    let limit = model.time_step().speed_limit;
+    let is_finite = tally.max_speed_squared.is_finite() && tally.kinetic.is_finite();
+    if is_finite && tally.max_speed_squared <= limit * limit {
         return Ok(());
     }
-    let worst = workspace
-        .next
-        .velocity
-        .iter()
-        .position(|row| row.iter().any(|value| !value.is_finite()))
-        .unwrap_or(0);
-    Err(StepError::NotFinite {
-        pellet: state.pellets.id[worst],
-        step: state.step,
-        time: state.step as f64 * model.time_step().seconds,
+    let (step, time) = now(model, state);
+    let next = &workspace.next;
+    if !is_finite {
+        let broken = |row: &Row| row.iter().any(|value| !value.is_finite());
+        let index = next.velocity.iter().position(broken);
+        let index = index.or_else(|| next.spin.iter().position(broken));
+        // Where the rows are finite, the sum of their energies is not.
+        let index = index.or_else(|| fastest(&next.velocity)).unwrap_or(0);
+        return Err(StepError::NotFinite {
+            pellet: state.pellets.id[index],
+            position: vector(&state.pellets.position[index]),
+            speed: vector(&state.pellets.velocity[index]).norm(),
+            step,
+            time,
+        });
+    }
+    let fastest = fastest(&next.velocity).expect("a speed past the limit is that of a pellet");
+    Err(StepError::StepTooLarge {
+        pellet: state.pellets.id[fastest],
+        position: vector(&state.pellets.position[fastest]),
+        speed: tally.max_speed_squared.sqrt(),
+        limit,
+        expected: model.time_step().expected_speed,
+        seconds: model.time_step().seconds,
+        step,
+        time,
     })
 }
 
@@ -119,13 +137,44 @@ pub(crate) fn check_energy(model: &Model, state: &State) -> Result<(), StepError
     let is_worth_checking =
         throughput > NEGLIGIBLE_THROUGHPUT * energy.carried_in.abs().max(energy.potential.abs());
     if is_worth_checking && residual.abs() > limit * throughput {
+        let (step, time) = now(model, state);
         return Err(StepError::Energy {
+            fastest: fastest_of(state),
             residual,
             throughput,
             limit,
-            step: state.step,
-            time: state.step as f64 * model.time_step().seconds,
+            step,
+            time,
         });
     }
     Ok(())
+}
+
+/// The step [-] and the time [s] that it is.
+fn now(model: &Model, state: &State) -> (u64, f64) {
+    (state.step, state.step as f64 * model.time_step().seconds)
+}
+
+/// Index of the fastest pellet [-], if there is any.
+fn fastest(velocities: &[Row]) -> Option<usize> {
+    let speeds = velocities.iter().map(|row| vector(row).norm());
+    let fastest = speeds.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+    fastest.map(|(index, _)| index)
+}
+
+/// The fastest pellet, ready to print.
+fn fastest_of(state: &State) -> String {
+    let pellets = &state.pellets;
+    let Some(index) = fastest(&pellets.velocity) else {
+        return "no pellet is left".into();
+    };
+    let (position, velocity) = (&pellets.position[index], &pellets.velocity[index]);
+    format!(
+        "the fastest is pellet {} with {:.2} m/s at ({:.4}, {:.4}, {:.4}) m",
+        pellets.id[index],
+        vector(velocity).norm(),
+        position[0],
+        position[1],
+        position[2]
+    )
 }

@@ -3,6 +3,10 @@
 use crate::tally::Tally;
 use serde::{Deserialize, Serialize};
 
+/// Greatest count that is believed of a state read back [-]: no run comes near, and beyond it numbers on a page are no
+/// longer exact.
+pub(crate) const MOST_COUNTED: u64 = 1 << f64::MANTISSA_DIGITS;
+
 /// A number of pellets and their mass.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct PelletTally {
@@ -46,7 +50,7 @@ pub struct EnergyLedger {
     pub wall_work: f64,
     /// What the books miss: kinetic + potential + elastic + dissipated − `carried_in` − `wall_work` [J].
     pub residual: f64,
-    /// Energy that went through the books, against which the residual is small or not [J].
+    /// Energy that went through the books, the greatest so far, against which the residual is small or not [J].
     pub throughput: f64,
 }
 

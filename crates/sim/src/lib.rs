@@ -60,7 +60,7 @@ pub use model::Model;
 pub use motion::{Interpolation, Motion, MotionTable, Swing};
 pub use pellet::{PelletKind, PelletView};
 pub use pelletflow_broadphase::{BakeError, BakedMesh, Deviation};
-pub use plan::{RunPlan, StopCondition};
+pub use plan::{KeptFrames, RunPlan, StopCondition};
 pub use schedule::Schedule;
 pub use setup::{
     Domain, Fill, FillAmount, Inlet, Limits, NamedMaterial, NeighborSearch, Outlet, Rate, Seats,

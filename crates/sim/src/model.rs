@@ -190,6 +190,13 @@ impl Model {
         self.derived.watched_walls[wall]
     }
 
+    /// The same model, in which no hits are followed.
+    #[must_use]
+    pub fn without_hits(mut self) -> Self {
+        self.setup.hits = None;
+        self
+    }
+
     /// Whether every contact is followed from first touch to release.
     #[inline]
     pub(crate) fn follows_hits(&self) -> bool {

@@ -1,6 +1,7 @@
 //! The step, on one page: the physics in order.
 
 use crate::advance::advance;
+use crate::books::Powers;
 use crate::error::StepError;
 use crate::exchange::exchange;
 use crate::free_flight;
@@ -78,7 +79,7 @@ fn stages(
         share.stage(Stage::Motion, advance);
     });
     health::check_overlap(model, state, &workspace.tally)?;
-    health::check_finite(model, state, workspace)?;
+    health::check_speed(model, state, workspace)?;
 
     // Contacts that ended become hits, bodies move, meters watch and the books are kept.
     hit::enter(model, state, workspace);
@@ -110,15 +111,19 @@ pub(crate) fn enter(model: &Model, state: &mut State, workspace: &Workspace) {
     books.energy.kinetic = tally.kinetic;
     books.energy.potential = tally.potential;
     books.energy.elastic = did.elastic_energy;
+    books.energy.shear = did.shear_energy;
+    let powers = Powers {
+        damping: did.dissipation,
+        shear: did.shear_power,
+        walls: tally.wall_power,
+    };
     if state.step == 0 {
         // Points of a settled bed start with their springs loaded.
         books.energy.carried_in += did.elastic_energy;
+        books.energy.powers = powers;
+    } else {
+        books.energy.work(powers, time_step);
     }
-    books.energy.shear = did.shear_energy;
-    books.energy.damped += time_step * did.dissipation;
-    books.energy.shear_work += time_step * did.shear_power;
-    books.energy.wall_work += time_step * tally.wall_power;
-    books.energy.wall_work_size += time_step * tally.wall_power.abs();
     books.particle_steps += state.pellets.len() as u64;
     books.contacts.enter(tally, state.pellets.len());
     books.wall_force.clone_from(&tally.wall_force);

@@ -14,6 +14,8 @@ pub enum StepRequest {
     PeakForceError(f64),
     /// A fixed step [s].
     Fixed(f64),
+    /// A fixed step that nobody looks at, before the run or in it [s]: for finding out at which step a run breaks.
+    Unchecked(f64),
 }
 
 /// The step and why.
@@ -27,6 +29,8 @@ pub struct TimeStep {
     pub expected_speed: f64,
     /// Shortest contact at that speed [s].
     pub shortest_contact: f64,
+    /// Speed of a pellet for which the step is too large [m/s]; infinite where nobody looks.
+    pub speed_limit: f64,
 }
 
 /// Largest step over the Rayleigh time [-]: a bed has several contacts per pellet, each stiffening it.
@@ -38,6 +42,13 @@ const FEWEST_FORCED_STEPS: f64 = 10.0;
 /// Way in one step at the fastest speed expected over the smallest radius, at most [-]: a pellet whose center has reached
 /// a thin wall is pushed out on its other side, and the limit of the overlap must be met before.
 const PASSING_SHARE: f64 = 0.25;
+/// The same in a run, where a pellet is faster than expected [-]: what begins a step outside of a wall is still on the
+/// same side of its middle after it, and pushed out there.
+const PASSING_LIMIT: f64 = 0.5;
+/// Fewest steps per contact in a run, where a hit is harder than expected [-]: below it an elastic hit errs by 4 %.
+const FEWEST_STEPS: f64 = 5.0;
+/// The same over the steps per contact expected, where few were asked for [-].
+const FEWEST_STEPS_SHARE: f64 = 0.5;
 /// Speed of a hit expected where nothing moves or falls [m/s].
 const LEAST_SPEED: f64 = 0.1;
 
@@ -111,13 +122,38 @@ pub(crate) fn choose(setup: &Setup) -> Result<TimeStep, SetupError> {
                 ),
             )
         }
+        StepRequest::Unchecked(step) => (
+            step,
+            format!(
+                "as asked, unchecked; {:.1} steps per contact; {hit}",
+                shortest.time / step
+            ),
+        ),
     };
     Ok(TimeStep {
         seconds,
         reason,
         expected_speed,
         shortest_contact: shortest.time,
+        speed_limit: match setup.step {
+            StepRequest::Unchecked(_) => f64::INFINITY,
+            _ => speed_limit(setup, seconds, expected_speed, shortest.time),
+        },
     })
+}
+
+/// Speed of a pellet for which a step is too large [m/s]: it would pass walls, or its hits would have too few steps.
+fn speed_limit(setup: &Setup, step: f64, expected_speed: f64, shortest_contact: f64) -> f64 {
+    let passing = PASSING_LIMIT * smallest_radius(setup) / step - fastest_wall(setup);
+    let steps = shortest_contact / step;
+    let fewest = FEWEST_STEPS.min(FEWEST_STEPS_SHARE * steps);
+    let hitting = match setup.laws.normal {
+        // The time of a linear contact does not depend on the speed.
+        NormalLaw::Linear => f64::INFINITY,
+        // That of Hertz goes with its power −1/5.
+        _ => expected_speed * (steps / fewest).powi(5),
+    };
+    passing.min(hitting)
 }
 
 struct ShortestContact {
@@ -229,12 +265,16 @@ fn expected_speed(setup: &Setup) -> f64 {
         .inlets
         .iter()
         .map(|inlet| source_speed(inlet.region.bounds(), inlet.velocity));
-    let walls = setup
-        .walls
-        .iter()
-        .map(|wall| setup.wall_speed(wall) + wall.surface_velocity.norm());
     let of_pellets = fills.chain(inlets).fold(0.0, f64::max);
-    (of_pellets + walls.fold(0.0, f64::max)).max(LEAST_SPEED)
+    (of_pellets + fastest_wall(setup)).max(LEAST_SPEED)
+}
+
+/// Speed of the fastest wall or belt [m/s].
+fn fastest_wall(setup: &Setup) -> f64 {
+    let walls = setup.walls.iter();
+    walls
+        .map(|wall| setup.wall_speed(wall) + wall.surface_velocity.norm())
+        .fold(0.0, f64::max)
 }
 
 /// How far a box reaches along a direction, from the origin [m].

@@ -13,7 +13,11 @@ pub(crate) fn run(report: &mut Report) -> Result<()> {
     report.part("format", || {
         passed(cargo().args(["fmt", "--all", "--check"]))
     })?;
-    let venv = Venv::with(&["requirements-test.txt", "requirements-check.txt"])?;
+    let venv = Venv::with(&[
+        "requirements-build.txt",
+        "requirements-test.txt",
+        "requirements-check.txt",
+    ])?;
     report.part("spelling", || {
         passed(venv.tool("typos").current_dir(root()))
     })?;

@@ -9,10 +9,12 @@ mod check;
 mod dependencies;
 mod distribution;
 mod documentation;
+mod fuzz;
 mod page;
 mod peers;
 mod process;
 mod report;
+mod stress;
 mod test;
 mod venv;
 mod verify;
@@ -38,8 +40,12 @@ enum Command {
         #[arg(value_parser = clap::builder::PossibleValuesParser::new(verify::TESTS))]
         tests: Vec<String>,
     },
+    /// Runs hard cases over a range of steps and for a million steps, and writes where each breaks into docs/verification.md.
+    Stress(stress::Options),
     /// Builds the wheel of this platform, with every instruction set inside, from the source distribution; both into target/dist.
     Wheel,
+    /// Hands bytes that a fuzzer makes up to everything that reads what others wrote; needs a compiler of C++.
+    Fuzz(fuzz::Options),
     /// Compares the speed with LAMMPS and LIGGGHTS, which it installs, and with itself; prints a table.
     BenchPeers(peers::Options),
 }
@@ -50,7 +56,9 @@ fn main() -> ExitCode {
         Command::Test => test::run(&mut report),
         Command::Check => check::run(&mut report),
         Command::Verify { tests } => verify::run(&mut report, &tests),
+        Command::Stress(options) => stress::run(&mut report, &options),
         Command::Wheel => distribution::run(&mut report),
+        Command::Fuzz(options) => fuzz::run(&mut report, &options),
         Command::BenchPeers(options) => peers::run(&options),
     };
     report.print();

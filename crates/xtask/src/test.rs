@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 /// Sets up and runs every test.
 pub(crate) fn run(report: &mut Report) -> Result<()> {
     report.part("Rust tests", rust_tests)?;
-    let venv = Venv::with(&["requirements-test.txt"])?;
+    let venv = Venv::with(&["requirements-build.txt", "requirements-test.txt"])?;
     wheel_and_recordings(report, &venv)
 }
 

@@ -5,7 +5,7 @@ use crate::workspace::{root, target};
 use anyhow::Result;
 use std::env;
 use std::ffi::OsString;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// The environment.
@@ -26,6 +26,9 @@ impl Venv {
             let python = env::var_os("PYTHON").unwrap_or_else(|| OsString::from(SYSTEM_PYTHON));
             process::run(Command::new(python).args(["-m", "venv"]).arg(&venv.folder))?;
         }
+        if requirements.is_empty() {
+            return Ok(venv);
+        }
         let mut install = venv.pip_install();
         for file in requirements {
             install
@@ -34,6 +37,11 @@ impl Venv {
         }
         process::run(&mut install)?;
         Ok(venv)
+    }
+
+    /// Installs a wheel and what it needs.
+    pub(crate) fn install(&self, wheel: &Path) -> Result<()> {
+        process::run(self.pip_install().arg(wheel))
     }
 
     /// Builds the wheel as the workspace stands and installs it in place of an earlier one.

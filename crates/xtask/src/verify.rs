@@ -33,7 +33,7 @@ const PAGE: &str = "docs/verification.md";
 
 /// A claim, how far off it is, the bound it is held to, and by what.
 #[derive(Debug, Clone, PartialEq)]
-struct Claim {
+pub(crate) struct Claim {
     section: String,
     what: String,
     error: f64,
@@ -100,7 +100,7 @@ fn claims_of(test: &str) -> Result<Vec<Claim>> {
 }
 
 /// A claim from the line that a test printed of it.
-fn parsed(line: &str) -> Option<Claim> {
+pub(crate) fn parsed(line: &str) -> Option<Claim> {
     // The harness puts the name of a test before its first line.
     let (_, told) = line.split_once("held\t")?;
     let mut fields = told.split('\t');
@@ -114,7 +114,7 @@ fn parsed(line: &str) -> Option<Claim> {
 }
 
 /// The page with the table of each section between its marks.
-fn with_tables(page: &str, claims: &[Claim]) -> Result<String> {
+pub(crate) fn with_tables(page: &str, claims: &[Claim]) -> Result<String> {
     let mut sections: BTreeMap<&str, Vec<&Claim>> = BTreeMap::new();
     for claim in claims {
         sections.entry(&claim.section).or_default().push(claim);

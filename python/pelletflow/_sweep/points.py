@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from pelletflow import _pelletflow
-from pelletflow._scene import SceneLike, base_and_set
+from pelletflow._scene import SceneLike, base_and_set, merged
 from pelletflow.errors import InputError
 
 Point = dict[str, Any]
@@ -74,13 +74,13 @@ def runs_of(scene: SceneLike, points: list[Point], replicates: int, given: Point
     """Every run, each validated: mistakes show before anything is run."""
     runs = []
     for index, point in enumerate(points):
-        base, values = base_and_set(scene, given | point)
+        base, values = base_and_set(scene, merged(given, point))
         facts = _pelletflow.scene(base, values)
-        own = _pelletflow.toml_table(facts["text"]).get("scene", {}).get("seed", 0)
+        own = facts["seed"]
         for replicate in range(replicates):
             seeded = values
             if replicate > 0:
-                seeded = values | {SEED: own + replicate}
+                seeded = merged(values, {SEED: own + replicate})
                 facts = _pelletflow.scene(base, seeded)
             runs.append(Run(index, replicate, own + replicate, seeded, facts["hash"]))
     return runs

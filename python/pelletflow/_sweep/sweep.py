@@ -51,11 +51,15 @@ def sweep(
     >>> import pelletflow as pf
     >>> result = pf.sweep(
     ...     "chute.toml",
-    ...     {"walls.chute.angle": [30, 40], "pairs.pellet-steel.friction": [0.3, 0.5]},
+    ...     {"walls.floor.shape.incline": ["30 deg", "40 deg"]},
     ...     output="out/sweep",
-    ...     replicates=5,
-    ...     measures=["contacts.max_force_n"],
-    ... )  # doctest: +SKIP
+    ...     replicates=2,
+    ...     set={"time.end": "20 ms", "expect": {}},
+    ...     measures=["mass.inserted"],
+    ...     workers=1,
+    ... )
+    >>> result.table["runs"].tolist()
+    [2, 2]
 
     A script that sweeps on processes of its own does so under ``if __name__ == "__main__":``.
 
@@ -67,7 +71,8 @@ def sweep(
         replicates: Runs of each point, with seeds that count up from the scene's [-].
         set: Values to put in place of the scene's at every point.
         measures: Numbers of the summary by dotted key, or a function of a `RunResult` that returns
-            numbers by name, which is called here; every number of the summary if None.
+            numbers by name, which is called here; every number of the summary that tells of the
+            pellets if None.
         confidence: Of the intervals [-].
         executor: Anything that follows `concurrent.futures`; processes of this machine if None.
         workers: Processes, where no executor is given; one for each core if None [-].
@@ -114,19 +119,21 @@ def sweep(
                 for future in as_completed(futures):
                     try:
                         executed += bool(future.result())
-                    except BrokenExecutor as error:
-                        raise SweepError(
-                            f"a worker process was killed: {error}; what is done is in {folder}: "
-                            "call again to go on, with fewer workers if memory ran out"
-                        ) from error
+                    except BrokenExecutor:
+                        raise
                     except Exception as error:
                         failures[futures[future]] = f"{type(error).__name__}: {error}"
                     finished += 1
                     show(finished, len(wanted))
-            except BaseException:
+            except BrokenExecutor as error:
+                anew = "" if executor is None else ", with a new executor"
+                raise SweepError(
+                    f"a worker process was killed: {error}; what is done is in {folder}: call "
+                    f"again to go on{anew}, and with fewer workers if memory ran out"
+                ) from error
+            finally:
                 for future in futures:
                     future.cancel()
-                raise
         if failures and not keep_going:
             first = next(iter(failures.items()))
             raise SweepError(
@@ -174,6 +181,8 @@ def _submitted(executor: SupportsSubmit, *arguments: Any) -> Future[Any]:
     """Hand a run over."""
     try:
         future = executor.submit(store.run_once, *arguments)
+    except BrokenExecutor:
+        raise
     except RuntimeError as error:
         raise SweepError(f"the executor takes no more runs: {error}; start it anew") from error
     if not isinstance(future, Future):

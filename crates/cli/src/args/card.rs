@@ -77,7 +77,7 @@ fn part(text: &str) -> Result<f64, String> {
         return Ok(part);
     }
     Err(format!(
-        "an index of {part} is none; expected 0 to 1, for example 94.5%"
+        "`{text}` is no index; expected 0 to 1, for example 94.5%"
     ))
 }
 

@@ -24,7 +24,7 @@ pub(crate) struct HitArguments {
     #[arg(long, help_heading = HEADING, value_name = "RATIO", value_parser = plain, allow_negative_numbers = true)]
     pub(crate) poisson: Option<f64>,
     /// Density of the pellet itself, such as 3700 (kg/m3).
-    #[arg(long, help_heading = HEADING, value_name = "DENSITY", value_parser = density)]
+    #[arg(long, help_heading = HEADING, value_name = "DENSITY", value_parser = density, allow_negative_numbers = true)]
     pub(crate) density: Option<f64>,
     /// Material of the surface, of the library.
     #[arg(long, help_heading = HEADING, value_name = "NAME", default_value = "steel")]

@@ -27,7 +27,7 @@ pub(crate) struct ImpactArguments {
     #[arg(long, value_name = "SPEED", value_parser = speeds, required_unless_present = "figure")]
     pub(crate) speed: Option<Speeds>,
     /// Angle between the path and the normal of the surface, such as 45deg: the slope that a falling pellet lands on.
-    #[arg(long, value_name = "ANGLE", value_parser = angle)]
+    #[arg(long, value_name = "ANGLE", value_parser = angle, allow_negative_numbers = true)]
     pub(crate) angle: Option<f64>,
     /// Rebound speed over approach speed along the normal; elastic where it is left out.
     #[arg(long, value_name = "E", value_parser = restitution, allow_negative_numbers = true)]

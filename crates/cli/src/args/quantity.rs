@@ -38,7 +38,7 @@ pub(crate) fn risk(text: &str) -> Result<f64, String> {
         return Ok(risk);
     }
     Err(format!(
-        "a risk of {risk} is none; expected more than 0 and less than 1, for example 1%"
+        "a share of {risk} is none; expected more than 0 and less than 1, for example 1%"
     ))
 }
 

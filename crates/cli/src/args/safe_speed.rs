@@ -5,6 +5,8 @@ use super::quantity::{
     ModulusRange, ValueRange, force, length, modulus_range, risk, share, speed, value_range,
 };
 use super::thread_count;
+use crate::commands::hit::bad_input;
+use crate::exit::Failure;
 use clap::{ArgGroup, Args, ValueEnum};
 use pelletflow_scene::Override;
 use std::path::PathBuf;
@@ -45,7 +47,7 @@ pub(crate) struct SafeSpeedArguments {
     #[arg(long, value_name = "FILE", conflicts_with_all = ["scatter", "distribution", "tests", "test_diameter"])]
     pub(crate) strength_card: Option<PathBuf>,
     /// Standard deviation of the crushing load over its mean, such as 30%.
-    #[arg(long, value_name = "SHARE", value_parser = share)]
+    #[arg(long, value_name = "SHARE", value_parser = share, allow_negative_numbers = true)]
     pub(crate) scatter: Option<f64>,
     /// How the crushing load scatters.
     #[arg(long, value_name = "NAME", value_enum, requires = "scatter", default_value_t = DistributionName::LogNormal)]
@@ -71,6 +73,26 @@ pub(crate) struct SafeSpeedArguments {
     /// Print JSON.
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+impl SceneArguments {
+    /// What only a scene has use for is refused where there is none.
+    ///
+    /// Clap does not ask for `--scene` where something else, as `--pellet`, excludes it.
+    pub(crate) fn refuse_without_scene(&self) -> Result<(), Failure> {
+        let given = [
+            ("--vary", self.vary.is_some()),
+            ("--range", self.range.is_some()),
+            ("--threads", self.threads.is_some()),
+            ("--set", !self.set.is_empty()),
+        ];
+        match given.iter().find(|(_, is_given)| *is_given) {
+            Some((name, _)) => Err(bad_input(format!(
+                "{name} is of a scene; give --scene SCENE in place of a pellet and a surface"
+            ))),
+            None => Ok(()),
+        }
+    }
 }
 
 /// A scene in place of a lone pellet and a surface.

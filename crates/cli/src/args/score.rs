@@ -25,7 +25,12 @@ pub(crate) struct ScoreArguments {
     #[arg(long, value_name = "LAW", value_enum, default_value_t = LawName::Load)]
     pub(crate) law: LawName,
     /// Number of places listed.
-    #[arg(long, value_name = "N", default_value_t = 10)]
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 10,
+        allow_negative_numbers = true
+    )]
     pub(crate) places: usize,
     /// Print JSON.
     #[arg(long)]

@@ -6,6 +6,7 @@ use crate::args::CheckArguments;
 use crate::exit::{Exit, Failure};
 use crate::screen;
 use crate::table::{self, bytes, count, number, span};
+use pelletflow_log::WORST_HITS;
 use pelletflow_scene::{MeshReport, Scene};
 use pelletflow_sim::{Inlet, Rate, Simulation, WallTrials};
 use serde_json::{Value, json};
@@ -16,6 +17,11 @@ const SPEED: [f64; 2] = [1.0e6, 6.0e6];
 /// Memory per pellet with its contacts and neighbors, and of the program itself [B].
 const MEMORY_PER_PELLET: f64 = 1.0e3;
 const MEMORY_AT_REST: f64 = 3.0e7;
+
+/// What a recording takes of a pellet in a frame, compressed: in a dense flow, all channels but the spheres, and the spheres
+/// [B].
+const BYTES_OF_PELLET: f64 = 12.0;
+const BYTES_OF_SPHERE: f64 = 30.0;
 
 /// Validates a scene and shows what a run will do.
 pub(crate) fn check(arguments: &CheckArguments) -> Result<Exit, Failure> {
@@ -55,6 +61,10 @@ struct Forecast {
     fed: f64,
     steps: f64,
     frames: f64,
+    /// Frames that stay in the recording at most [-]; none where all do.
+    kept_frames: Option<f64>,
+    /// What a frame takes [B].
+    frame_bytes: f64,
     threads: usize,
     memory: f64,
     /// At the most and at the least [s].
@@ -75,12 +85,20 @@ impl Forecast {
         let steps = (end_time / scene.model.time_step().seconds).ceil();
         let threads = simulation.threads();
         // As if none left: fed pellets are there for half of the time on average.
-        let particle_steps = steps * (filled + fed / 2.0);
+        let pellets = filled + fed / 2.0;
+        let particle_steps = steps * pellets;
+        let frames = frames_within(end_time, scene);
         Self {
             filled,
             fed,
             steps,
-            frames: (end_time / scene.plan.frame_interval).floor() + 1.0,
+            frames,
+            kept_frames: kept_frames(scene).map(|kept| kept.min(frames)),
+            frame_bytes: if pellets <= scene.output.spheres_up_to as f64 {
+                pellets * (BYTES_OF_PELLET + BYTES_OF_SPHERE)
+            } else {
+                pellets * BYTES_OF_PELLET
+            },
             threads,
             memory: MEMORY_AT_REST + MEMORY_PER_PELLET * (filled + fed),
             wall_time: SPEED.map(|speed| particle_steps / (speed * threads as f64)),
@@ -122,7 +140,7 @@ impl Forecast {
                 format!("{} m/s", number(step.expected_speed)),
             ),
             ("steps".into(), count(self.steps as u64)),
-            ("frames recorded".into(), count(self.frames as u64)),
+            ("frames recorded".into(), self.recorded(self.frames)),
             ("threads".into(), self.threads.to_string()),
             (
                 "memory".into(),
@@ -137,6 +155,12 @@ impl Forecast {
                 ),
             ),
         ];
+        if let Some(kept) = self.kept_frames {
+            facts.push((
+                "frames kept at the end".into(),
+                format!("at most {}", self.recorded(kept)),
+            ));
+        }
         for mesh in &scene.meshes {
             facts.push((format!("mesh of `{}`", mesh.wall), mesh.summary()));
             if let Some(bake) = mesh.bake {
@@ -154,6 +178,15 @@ impl Forecast {
             facts.push((what.to_owned(), choice.to_owned()));
         }
         format!("{}: no mistakes\n\n{}", scene.title, table::facts(facts))
+    }
+
+    /// A number of frames, and what they take.
+    fn recorded(&self, frames: f64) -> String {
+        format!(
+            "{}, about {}",
+            count(frames as u64),
+            bytes((frames * self.frame_bytes) as u64)
+        )
     }
 
     fn json(&self, scene: &Scene) -> Value {
@@ -177,9 +210,12 @@ impl Forecast {
                 "expected_speed_m_per_s": step.expected_speed,
             },
             "frames": self.frames,
+            "frames_kept_at_most": self.kept_frames.unwrap_or(self.frames),
             "threads": self.threads,
             "expected": {
                 "memory_bytes": self.memory,
+                "recording_bytes": self.frame_bytes * self.kept_frames.unwrap_or(self.frames),
+                "recording_bytes_before_the_end": self.frame_bytes * self.frames,
                 "wall_least_s": self.wall_time[1],
                 "wall_most_s": self.wall_time[0],
             },
@@ -225,6 +261,22 @@ fn mesh_json(mesh: &MeshReport) -> Value {
         "bake": bake,
         "warnings": mesh.warnings(),
     })
+}
+
+/// Frames of a stretch of time [s], the one at its beginning included [-].
+fn frames_within(span: f64, scene: &Scene) -> f64 {
+    (span / scene.plan.frame_interval).floor() + 1.0
+}
+
+/// Frames that are kept at most [-], the first among them; none where all are.
+fn kept_frames(scene: &Scene) -> Option<f64> {
+    let kept = scene.plan.kept_frames;
+    let of_last = kept.of_last.map(|span| frames_within(span, scene));
+    let around = kept
+        .around_worst_hits
+        .map(|reach| WORST_HITS as f64 * frames_within(2.0 * reach, scene) + 1.0);
+    let asked: Vec<f64> = of_last.into_iter().chain(around).collect();
+    (!asked.is_empty()).then(|| 1.0 + asked.into_iter().sum::<f64>())
 }
 
 /// Pellets that an inlet feeds in a whole run [-].

@@ -1,6 +1,7 @@
 //! `pelletflow run`.
 
 mod going_on;
+mod live;
 mod page;
 mod profile;
 
@@ -8,7 +9,7 @@ use crate::args::RunArguments;
 use crate::exit::{Exit, Failure};
 use crate::progress::Teller;
 use crate::screen;
-use pelletflow_log::{Earlier, Ended, Progress, RunError, RunRequest, Summary};
+use pelletflow_log::{Earlier, Ended, Live, Progress, RunError, RunRequest, Summary};
 use pelletflow_scene::{ExpectationOutcome, Scene};
 use pelletflow_sim::Simulation;
 use serde_json::{Value, json};
@@ -26,6 +27,7 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<Exit, Failure> {
         .output
         .clone()
         .unwrap_or_else(|| PathBuf::from("out").join(&scene.name));
+    let live = arguments.live.as_deref().map(Live::start).transpose()?;
     let request = RunRequest {
         directory: &directory,
         scene_name: &scene.name,
@@ -35,6 +37,7 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<Exit, Failure> {
         scene_files: &scene.files,
         plan: &scene.plan,
         spheres_up_to: scene.output.spheres_up_to,
+        live: live.as_ref(),
     };
     let earlier = going_on::earlier(&request, arguments)?;
     if let Earlier::Finished(summary) = &earlier {
@@ -45,6 +48,9 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<Exit, Failure> {
         return verdict(summary, None, &outcomes);
     }
 
+    if let Some(live) = &live {
+        live::invite(live, &directory, arguments)?;
+    }
     listen_for_interrupt();
     let (summary, failure) = match drive(earlier, &scene, &request, arguments)? {
         Ok(summary) => (summary, None),

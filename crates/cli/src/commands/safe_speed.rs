@@ -31,6 +31,7 @@ pub(crate) fn safe_speed(arguments: &SafeSpeedArguments) -> Result<Exit, Failure
     if let Some(path) = &arguments.of_scene.scene {
         return scene::safe_setting_of(path, arguments, &asked);
     }
+    arguments.of_scene.refuse_without_scene()?;
     let hit = Hit::new(&arguments.hit, None)?;
     let Asked {
         strength,

@@ -34,7 +34,9 @@ pub enum ShapeError {
         limit: f64,
     },
     /// A profile with too few corners.
-    #[error("the profile has {count} corners; expected at least {least}")]
+    #[error(
+        "the profile has {count} corners; expected at least {least}: of a polygon three, of a plate with a thickness two"
+    )]
     TooFewCorners {
         /// How many there are [-].
         count: usize,

@@ -1,6 +1,7 @@
 //! What breaks, by cause, by what is hit, by size and by place.
 
 use super::{Blows, Share};
+use crate::hits::wall_in_words;
 use pelletflow_impact::{Blow, Chance, Score};
 use pelletflow_sim::{Cause, Hit, HitPartner};
 use serde::Serialize;
@@ -92,12 +93,10 @@ impl Groups {
 
 /// How a wall, or where there is none another pellet, is named as a partner.
 pub(crate) fn wall_name(walls: &[String], wall: Option<usize>) -> String {
-    match wall {
-        Some(wall) => walls
-            .get(wall)
-            .map_or_else(|| format!("wall {wall}"), |name| format!("wall `{name}`")),
-        None => "another pellet".into(),
-    }
+    wall.map_or_else(
+        || "another pellet".into(),
+        |wall| wall_in_words(walls, wall),
+    )
 }
 
 /// Classes of diameters, equally wide.

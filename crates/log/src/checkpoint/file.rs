@@ -18,7 +18,7 @@ use xxhash_rust::xxh3::{Xxh3, xxh3_128};
 /// First bytes of every checkpoint.
 const MAGIC: &[u8; 8] = b"PELLETCP";
 /// Version of the format; raised with every change of what a checkpoint holds [-].
-const FORMAT: u32 = 1;
+pub(super) const FORMAT: u32 = 2;
 /// Bytes before the identity [B].
 const HEAD: usize = 16;
 /// Bytes written at once [B].

@@ -61,10 +61,16 @@ impl Keeper {
     }
 
     /// Whether one is due; it is then not due again until the interval has passed.
+    ///
+    /// None is while the last one waits for the disk: each holds a whole run in memory. Only that of an interruption does not
+    /// wait.
     pub(crate) fn is_due(&mut self) -> bool {
-        let is_due = self
-            .interval
-            .is_some_and(|interval| self.last.elapsed() >= interval);
+        // What waits to be written has the recording too.
+        let is_waiting = Arc::strong_count(&self.recording) > 1;
+        let is_due = !is_waiting
+            && self
+                .interval
+                .is_some_and(|interval| self.last.elapsed() >= interval);
         if is_due {
             self.last = Instant::now();
         }

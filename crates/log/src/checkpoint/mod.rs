@@ -4,11 +4,13 @@
 //! that writes the recording, after everything that the recording holds by then has reached the disk: so a recording is
 //! never shorter than its checkpoint says.
 
+mod bytes;
 mod file;
 mod keeper;
 mod resumption;
 mod slots;
 
+pub use bytes::{SnapshotError, snapshot_from_bytes, snapshot_to_bytes};
 pub(crate) use keeper::{Keeper, Save};
 pub(crate) use resumption::refuse_unfinished;
 pub use resumption::{Earlier, Resumption, admit, discard, earlier};

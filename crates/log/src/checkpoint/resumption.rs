@@ -6,7 +6,7 @@ use crate::error::{FolderError, RunError};
 use crate::output::Output;
 use crate::run::{Beginning, Progress, RunRequest};
 use crate::summary::{Ended, Summary};
-use pelletflow_sim::{Model, Simulation};
+use pelletflow_sim::{Model, RestoreError, Simulation};
 use std::fs;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -165,13 +165,16 @@ impl Resumption {
             damaged,
         } = self;
         let contents = checkpoint.contents;
+        let misfit = |source| FolderError::Misfit {
+            directory: request.directory.into(),
+            source,
+        };
         let mut simulation =
-            Simulation::restore(model, threads, contents.snapshot).map_err(|source| {
-                FolderError::Misfit {
-                    directory: request.directory.into(),
-                    source,
-                }
-            })?;
+            Simulation::restore(model, threads, contents.snapshot).map_err(misfit)?;
+        contents
+            .logbook
+            .check(&simulation)
+            .map_err(|reason| misfit(RestoreError::Misfit(reason)))?;
         let beginning = Beginning::going_on(
             &simulation,
             contents.logbook,

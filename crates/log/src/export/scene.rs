@@ -4,7 +4,7 @@ use super::vtk::{Array, Collection, PolyData};
 use super::{ExportError, Exported, Output};
 use crate::error::ReadError;
 use crate::frames::PelletRecord;
-use crate::message::pellets;
+use crate::message::{pellets, seconds};
 use crate::records::Records;
 use crate::tables::{Table, TableKind, Values, read_tables};
 use crate::walls::{WallPlace, WallSurface, Walls};
@@ -31,7 +31,7 @@ pub(super) fn write(recording: &Path, output: &mut Output) -> Result<Exported, E
                     path: recording.into(),
                     reason: format!("a message of `{topic}`: {reason}"),
                 };
-                let time = header.log_time as f64 * 1.0e-9;
+                let time = seconds(header.log_time);
                 exporter.take(topic, time, &data, output, damaged)?;
             }
             _ => {}

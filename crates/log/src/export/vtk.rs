@@ -2,6 +2,7 @@
 //!
 //! Written as XML with numbers in base 64 (VTK file formats, `PolyData`), which `ParaView` and VTK read.
 
+use crate::markup::escaped;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use std::fs::File;
@@ -138,10 +139,4 @@ impl Collection {
         writeln!(file, "</Collection>\n</VTKFile>")?;
         file.flush()
     }
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('"', "&quot;")
 }

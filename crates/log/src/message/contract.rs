@@ -198,3 +198,30 @@ fn time_is_kept_to_the_nanosecond() {
     let stamp = timestamp(12.345_678_901);
     assert_eq!((stamp.sec(), stamp.nsec()), (12, 345_678_901));
 }
+
+#[test]
+fn a_sketch_that_no_run_makes_is_refused() {
+    let class = |force_class, count, kept| hits::HitClasses {
+        wall: vec![0; 2],
+        force_class: vec![8, force_class],
+        least_force_n: vec![2.0; 2],
+        count: vec![1, count],
+        kept: vec![0, kept],
+        normal_impulse_n_s: vec![0.0; 2],
+        tangential_impulse_n_s: vec![0.0; 2],
+        lost_energy_j: vec![0.0; 2],
+        approach_energy_j: vec![0.0; 2],
+    };
+    assert!(hits::classes(&class(-8176, 4, 4)).is_ok());
+    assert!(hits::classes(&class(8191, 4, 0)).is_ok());
+    for (wrong, reason) in [
+        (class(-8177, 4, 4), "its force class -8177 is none"),
+        (class(8192, 4, 4), "its force class 8192 is none"),
+        (class(0, 4, 5), "a class keeps 5 of its 4 hits"),
+        (class(0, 1 << 53, 0), "it counts more than"),
+        (class(0, u64::MAX, 0), "it counts more than"),
+    ] {
+        let found = hits::classes(&wrong).expect_err(reason);
+        assert!(found.starts_with(reason), "{found}");
+    }
+}

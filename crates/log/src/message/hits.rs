@@ -13,8 +13,10 @@ use std::collections::BTreeMap;
 
 /// What stands for a pellet where a wall is named.
 const NO_WALL: i32 = -1;
+/// Hits of a run at most [-]: what is counted beyond is no longer exact as a number on a page.
+const MOST_HITS: u64 = 1 << f64::MANTISSA_DIGITS;
 /// What is wrong with a message whose columns are not of one length.
-const UNEQUAL_COLUMNS: &str = "its columns differ in length";
+pub(crate) const UNEQUAL_COLUMNS: &str = "its columns differ in length";
 
 /// A message of columns, and its schema, from one list of their names, types and numbers.
 macro_rules! columns {
@@ -35,14 +37,9 @@ macro_rules! columns {
             }
 
             /// Number of rows, if all columns have as many.
-            fn rows(&self) -> Option<usize> {
+            pub(crate) fn rows(&self) -> Option<usize> {
                 let lengths = [$(self.$column.len()),*];
                 lengths.iter().all(|length| *length == lengths[0]).then_some(lengths[0])
-            }
-
-            /// What is wrong with the columns, if not all have as many rows.
-            pub(crate) fn check_rows(&self) -> Result<(), String> {
-                self.rows().map(drop).ok_or_else(|| UNEQUAL_COLUMNS.to_owned())
             }
 
             /// The columns by name, as they are in the message.
@@ -236,6 +233,25 @@ pub(crate) fn classes_message(classes: &BTreeMap<HitClassKey, HitClass>) -> HitC
 /// The sketch of a message; what is wrong with it.
 pub(crate) fn classes(block: &HitClasses) -> Result<BTreeMap<HitClassKey, HitClass>, String> {
     let rows = block.rows().ok_or(UNEQUAL_COLUMNS)?;
+    let known = HitClassKey::FORCE_CLASSES;
+    if let Some(class) = block
+        .force_class
+        .iter()
+        .find(|class| !known.contains(class))
+    {
+        let (least, greatest) = (known.start(), known.end());
+        return Err(format!(
+            "its force class {class} is none; expected {least} to {greatest}"
+        ));
+    }
+    let counts = || block.count.iter().zip(&block.kept);
+    if let Some((count, kept)) = counts().find(|(count, kept)| kept > count) {
+        return Err(format!("a class keeps {kept} of its {count} hits"));
+    }
+    let total = counts().try_fold(0_u64, |total, (count, _)| total.checked_add(*count));
+    if total.is_none_or(|total| total > MOST_HITS) {
+        return Err(format!("it counts more than {MOST_HITS} hits"));
+    }
     Ok((0..rows)
         .map(|row| {
             let key = HitClassKey {

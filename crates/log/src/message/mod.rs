@@ -27,6 +27,11 @@ pub(crate) fn nanoseconds(time: f64) -> u64 {
     (time * 1.0e9).round() as u64
 }
 
+/// Log time [ns] as simulated time [s].
+pub(crate) fn seconds(nanoseconds: u64) -> f64 {
+    nanoseconds as f64 * 1.0e-9
+}
+
 /// Simulated time [s] as viewers stamp it, counted from 1970.
 pub(crate) fn timestamp(time: f64) -> Timestamp {
     let nanoseconds = nanoseconds(time);

@@ -30,7 +30,8 @@ const VALUE_BITS: u32 = 13;
 pub(crate) fn message(time: f64, pellets: &[DrawnPellet]) -> PointCloud {
     let mut data = Vec::with_capacity(pellets.len() * POINT_BYTES);
     for pellet in pellets {
-        let [x, y, z] = [0, 1, 2].map(|axis| placed(pellet.position[axis], pellet.radius));
+        let step = place_step(pellet.radius);
+        let [x, y, z] = [0, 1, 2].map(|axis| rounded(pellet.position[axis], step));
         let [speed, force] = [pellet.speed, pellet.force].map(|value| shortened(value as f32));
         for value in [x, y, z, pellet.radius as f32, speed, force] {
             data.extend_from_slice(&value.to_le_bytes());
@@ -55,9 +56,13 @@ pub(crate) fn message(time: f64, pellets: &[DrawnPellet]) -> PointCloud {
     }
 }
 
-/// A coordinate [m], to less than a thousandth of the radius [m].
-fn placed(coordinate: f64, radius: f64) -> f32 {
-    let step = (radius.log2().floor() - f64::from(PLACE_BITS)).exp2();
+/// What the place of a pellet of a radius [m] is told in multiples of [m]: less than a thousandth of the radius.
+fn place_step(radius: f64) -> f64 {
+    (radius.log2().floor() - f64::from(PLACE_BITS)).exp2()
+}
+
+/// A coordinate [m] as the nearest multiple of a step [m].
+fn rounded(coordinate: f64, step: f64) -> f32 {
     ((coordinate / step).round() * step) as f32
 }
 

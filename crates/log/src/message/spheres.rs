@@ -7,6 +7,7 @@ use foxglove::messages::{
     Pose, Quaternion, SceneEntity, SceneEntityDeletion, SceneUpdate, SpherePrimitive,
 };
 use pelletflow_core::Vec3;
+use prost::Message;
 
 /// One entity holds all spheres: its number stays, so that each frame takes the place of the last.
 const ENTITY: &str = "pellets";
@@ -49,4 +50,9 @@ pub(crate) fn removal(time: f64) -> SceneUpdate {
         }],
         entities: Vec::new(),
     }
+}
+
+/// Whether the bytes of a message take the spheres away.
+pub(crate) fn is_removal(message: &[u8]) -> bool {
+    SceneUpdate::decode(message).is_ok_and(|update| update.entities.is_empty())
 }

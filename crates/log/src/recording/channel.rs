@@ -6,7 +6,6 @@ use foxglove::{Encode, Schema};
 use mcap::McapResult;
 use mcap::records::MessageHeader;
 use prost::Message;
-use std::collections::BTreeMap;
 use std::io::{Seek, Write};
 
 /// A topic and how many messages it has.
@@ -47,9 +46,10 @@ impl Channel {
         topic: &str,
         schema: &Schema,
     ) -> McapResult<Self> {
-        let schema = writer.add_schema(&schema.name, &schema.encoding, &schema.data)?;
-        let id = writer.add_channel(schema, topic, "protobuf", &BTreeMap::new())?;
-        Ok(Self { id, count: 0 })
+        Ok(Self {
+            id: writer.open(topic, schema)?,
+            count: 0,
+        })
     }
 
     pub(super) fn is_empty(self) -> bool {

@@ -13,6 +13,7 @@ pub(crate) use frame::{DrawnPellet, Frame};
 pub(crate) use recorder::{Entry, Recorder, RecordingTimes, Stopped};
 
 use crate::hits::{IS_SOFTENED, METADATA, THRESHOLD, WALLS};
+use crate::live::Program;
 use crate::message::equipment::Equipment;
 use crate::message::event::{self, Gravity};
 use crate::message::{hits, nanoseconds, pellets, series, spheres, transforms, worst};
@@ -76,13 +77,15 @@ struct HitChannels {
 impl<W: Write + Seek> Recording<W> {
     /// Starts the file with its metadata and attachments, so that even a killed run has them.
     ///
-    /// Spheres are drawn for at most `spheres_up_to` pellets, and `full_speed` [m/s] has the last color.
+    /// Spheres are drawn for at most `spheres_up_to` pellets, and `full_speed` [m/s] has the last color. What is written is
+    /// also shown, where there is someone to watch.
     pub(crate) fn start(
         writer: W,
         setup: &Setup,
         title: &Title,
         spheres_up_to: usize,
         full_speed: f64,
+        live: Option<Program>,
     ) -> McapResult<Self> {
         let mut writer = WriteOptions::new()
             .compression(Some(Compression::Zstd))
@@ -92,7 +95,7 @@ impl<W: Write + Seek> Recording<W> {
             .chunk_size(Some(CHUNK_BYTES))
             .library(format!("pelletflow {}", env!("CARGO_PKG_VERSION")))
             .create(writer)
-            .map(MessageWriter::new)?;
+            .map(|writer| MessageWriter::new(writer, live))?;
         writer.write_metadata(&Metadata {
             name: RUN_METADATA.into(),
             metadata: title.facts.clone(),

@@ -1,7 +1,8 @@
 //! Plots of a report: what meters read, and the ledgers.
 
 use super::curve::Curve;
-use super::html::{escaped, put};
+use super::html::put;
+use crate::markup::escaped;
 use crate::plot::{Axis, Chart, Series, SeriesStyle, color_of};
 use crate::tables::{unit_of, words_of};
 use std::ops::Range;

@@ -12,7 +12,7 @@ const JOINED_CLASSES: i32 = 4;
 /// Walls with a line of their own in the histogram [-]; the rest are told together.
 const LINES: usize = 5;
 
-/// Hits of a recording, gathered in bounded memory.
+/// Hits of a recording, of which a number is kept that does not grow with the run, and one of each pellet that breaks.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct HitFindings {
     /// Names of the walls, by index; none where hits were not followed.
@@ -62,7 +62,14 @@ impl HitFindings {
         let Some(strength) = self.strength else {
             return;
         };
-        if hit.true_force() < strength {
+        // As a score of breakage believes: of a softened run the force at true stiffness.
+        let force = if self.is_softened {
+            hit.true_force()
+        } else {
+            hit.peak_force
+        };
+        // A force that is no number breaks nothing.
+        if force.is_nan() || force < strength {
             return;
         }
         let partner = match hit.partner {
@@ -220,3 +227,52 @@ impl HitFindings {
 
 /// Hits below this force are not drawn [N]: grazes that bend nothing.
 const LEAST_FORCE: f64 = 1.0e-3;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pelletflow_core::Vec3;
+    use pelletflow_sim::Cause;
+
+    fn arrival(peak_force: f64, arrival_force: f64) -> Hit {
+        Hit {
+            pellet: 3,
+            diameter: 0.012,
+            mass: 0.003,
+            partner: HitPartner::Wall(0),
+            cause: Cause::Drop,
+            is_open: false,
+            begin: 0.0,
+            duration: 1.0e-4,
+            steps: 30,
+            peak_time: 5.0e-5,
+            place: Vec3::zeros(),
+            peak_force,
+            sampled_force: peak_force,
+            arrival_force,
+            arrival_pressure: 1.0e7,
+            peak_pressure: 1.0e7,
+            normal_impulse: 0.01,
+            tangential_impulse: 0.0,
+            lost_energy: 0.0,
+            approach_speed: 3.0,
+            sliding_speed: 0.0,
+            effective_radius: 0.006,
+        }
+    }
+
+    #[test]
+    fn a_pellet_breaks_by_the_force_of_the_run_unless_that_was_softened() {
+        for (is_softened, hit, broken) in [
+            (false, arrival(120.0, 90.0), 1),
+            (false, arrival(90.0, 120.0), 0),
+            (true, arrival(90.0, 120.0), 1),
+            (true, arrival(120.0, 90.0), 0),
+        ] {
+            let mut findings = HitFindings::new(Some(100.0));
+            findings.is_softened = is_softened;
+            findings.take(&hit);
+            assert_eq!(findings.broken(), broken, "{is_softened}, {hit:?}");
+        }
+    }
+}

@@ -1,22 +1,7 @@
 //! Text that becomes a page.
 
+use crate::markup::escaped;
 use std::fmt::Write;
-
-/// Text in which nothing is a tag any more.
-pub(super) fn escaped(text: &str) -> String {
-    let mut safe = String::with_capacity(text.len());
-    for letter in text.chars() {
-        match letter {
-            '&' => safe.push_str("&amp;"),
-            '<' => safe.push_str("&lt;"),
-            '>' => safe.push_str("&gt;"),
-            '"' => safe.push_str("&quot;"),
-            '\'' => safe.push_str("&#39;"),
-            _ => safe.push(letter),
-        }
-    }
-    safe
-}
 
 /// JSON that may stand inside a script element: nothing in it ends one.
 pub(super) fn json(value: &serde_json::Value) -> String {

@@ -67,7 +67,7 @@ pub struct Report {
 pub fn report(request: &ReportRequest) -> Result<Report, ReadError> {
     let capacity = request.most_bytes / FEWEST_BYTES;
     let mut gathered = Gathered::read(request.recording, capacity, request.strength)?;
-    let mut omissions = Vec::new();
+    let mut omissions = gathered.omissions();
     let is_drawn = drawn_walls(&gathered, request.most_bytes, &mut omissions);
     let fixed = page::Fixed::of(&gathered, request);
     loop {

@@ -1,11 +1,12 @@
 //! The page: its sections, and the template that holds them.
 
 use super::hits::HitFindings;
-use super::html::{escaped, facts, filled, json, put, section, table};
+use super::html::{facts, filled, json, put, section, table};
 use super::pass::Gathered;
 use super::replay::Replay;
 use super::{ReportRequest, charts};
 use crate::figures::{count, number};
+use crate::markup::escaped;
 
 const TEMPLATE: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");
@@ -75,7 +76,7 @@ impl Fixed {
         }
         let shown = match omissions {
             [] => "The replay holds every frame and every pellet of the recording.".to_owned(),
-            omissions => format!("The replay shows {}.", omissions.join("; ")),
+            omissions => format!("The page shows {}.", omissions.join("; ")),
         };
         filled(
             TEMPLATE,

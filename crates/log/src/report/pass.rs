@@ -1,11 +1,11 @@
-//! One pass over a recording, in bounded memory.
+//! One pass over a recording; beside a hit of each pellet that breaks, memory does not grow with its length.
 
 use super::curve::Curve;
 use super::frames::{FrameStore, ReplayFrame};
 use super::hits::HitFindings;
 use crate::error::ReadError;
-use crate::hits::{IS_SOFTENED, METADATA, WALLS};
-use crate::message::{hits, pellets, series};
+use crate::hits::{HitFacts, METADATA};
+use crate::message::{hits, pellets, seconds, series};
 use crate::provenance::{Provenance, RUN_METADATA};
 use crate::records::Records;
 use crate::walls::Walls;
@@ -29,8 +29,10 @@ pub(super) struct Gathered {
     /// Quantities over time, by topic and name.
     pub(super) curves: BTreeMap<String, Vec<(String, Curve)>>,
     pub(super) hits: HitFindings,
-    /// Times [s] and words of what happened.
+    /// Times [s] and words of what happened, the first of them.
     pub(super) events: Vec<(f64, String)>,
+    /// How many there are [-].
+    pub(super) event_count: u64,
     /// Moment of the last record [s].
     pub(super) end: f64,
     /// Whether the file ends in the middle.
@@ -38,6 +40,22 @@ pub(super) struct Gathered {
 }
 
 impl Gathered {
+    /// Of nothing yet; so many pellets times frames will be kept [-], and hits held against a strength [N].
+    fn of_nothing(capacity: usize, strength: Option<f64>) -> Self {
+        Self {
+            facts: BTreeMap::new(),
+            scene: None,
+            frames: FrameStore::new(capacity),
+            walls: Walls::default(),
+            curves: BTreeMap::new(),
+            hits: HitFindings::new(strength),
+            events: Vec::new(),
+            event_count: 0,
+            end: 0.0,
+            is_cut_off: false,
+        }
+    }
+
     /// Reads a recording; of its frames so many pellets times frames are kept [-].
     pub(super) fn read(
         path: &Path,
@@ -47,17 +65,7 @@ impl Gathered {
         let mut records = Records::open(path)?;
         let mut provenance = Provenance::new(path);
         let mut channels = Channels::default();
-        let mut gathered = Self {
-            facts: BTreeMap::new(),
-            scene: None,
-            frames: FrameStore::new(capacity),
-            walls: Walls::default(),
-            curves: BTreeMap::new(),
-            hits: HitFindings::new(strength),
-            events: Vec::new(),
-            end: 0.0,
-            is_cut_off: false,
-        };
+        let mut gathered = Self::of_nothing(capacity, strength);
         let damaged = |reason: String| ReadError::Damaged {
             path: path.into(),
             reason,
@@ -77,14 +85,11 @@ impl Gathered {
                     gathered.scene = Some(String::from_utf8_lossy(&data).into_owned());
                 }
                 Record::Metadata(metadata) if metadata.name == METADATA => {
-                    let walls = metadata.metadata.get(WALLS).map_or("", String::as_str);
-                    let walls = serde_json::from_str(walls)
-                        .map_err(|error| damaged(format!("the walls of its hits: {error}")))?;
-                    gathered.hits.walls = Some(walls);
-                    gathered.hits.is_softened = metadata
-                        .metadata
-                        .get(IS_SOFTENED)
-                        .is_some_and(|is| is == "true");
+                    let facts = HitFacts::read(&metadata.metadata).map_err(|reason| {
+                        damaged(format!("the metadata `{METADATA}`: {reason}"))
+                    })?;
+                    gathered.hits.is_softened = facts.is_softened;
+                    gathered.hits.walls = Some(facts.walls);
                 }
                 Record::Metadata(metadata) if metadata.name == RUN_METADATA => {
                     gathered.facts = metadata.metadata;
@@ -97,6 +102,27 @@ impl Gathered {
         Ok(gathered)
     }
 
+    /// What was left out of all but the frames, in words; nothing where all is here.
+    pub(super) fn omissions(&self) -> Vec<String> {
+        let shown = |shown: usize, of: u64, what: &str| {
+            let [shown, of] = [shown as u64, of].map(crate::figures::count);
+            format!("{shown} of {of} {what}")
+        };
+        let mut omissions = Vec::new();
+        if self.events.len() as u64 != self.event_count {
+            omissions.push(shown(
+                self.events.len(),
+                self.event_count,
+                "lines of what happened, the first",
+            ));
+        }
+        let (marked, breaking) = (self.hits.breaking().count(), self.hits.broken());
+        if marked != breaking {
+            omissions.push(shown(marked, breaking as u64, "places where pellets break"));
+        }
+        omissions
+    }
+
     fn take(
         &mut self,
         topic: &str,
@@ -104,7 +130,7 @@ impl Gathered {
         header: &MessageHeader,
         data: &[u8],
     ) -> Result<(), String> {
-        let time = header.log_time as f64 * 1.0e-9;
+        let time = seconds(header.log_time);
         self.end = self.end.max(time);
         match topic {
             "/pellets" => {
@@ -121,6 +147,7 @@ impl Gathered {
                 .take_transforms(decoded::<FrameTransforms>(data)?),
             "/log" => {
                 let log: Log = decoded(data)?;
+                self.event_count += 1;
                 if self.events.len() < MOST_EVENTS {
                     self.events.push((time, log.message));
                 }
@@ -181,5 +208,34 @@ impl Channels {
                 let names = self.names.get(schema).map_or(&[][..], Vec::as_slice);
                 (topic.as_str(), names)
             })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Gathered, MOST_EVENTS};
+    use crate::message::event::{Gravity, message};
+    use mcap::records::MessageHeader;
+    use prost::Message;
+
+    #[test]
+    fn lines_that_find_no_room_are_told() {
+        let mut gathered = Gathered::of_nothing(0, None);
+        let line = message(0.0, Gravity::Information, "gate").encode_to_vec();
+        let header = MessageHeader {
+            channel_id: 0,
+            sequence: 0,
+            log_time: 0,
+            publish_time: 0,
+        };
+        for _ in 0..MOST_EVENTS {
+            let taken = gathered.take("/log", &[], &header, &line);
+            taken.expect("it is a line of the log");
+        }
+        assert!(gathered.omissions().is_empty());
+        let taken = gathered.take("/log", &[], &header, &line);
+        taken.expect("it is a line of the log");
+        let told = "500 of 501 lines of what happened, the first";
+        assert_eq!(gathered.omissions(), [told]);
     }
 }

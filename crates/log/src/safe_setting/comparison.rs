@@ -21,15 +21,15 @@ pub struct ClosedForm {
 pub struct Comparison {
     /// The closed form.
     pub closed_form: ClosedForm,
-    /// The blows on this partner that break.
+    /// The blows on this partner that break, whatever their cause.
     pub breaking: Breaking,
-    /// Share of all breakage that this partner and cause make up [-].
+    /// Share of all breakage that blows on this partner make up [-].
     pub part: f64,
 }
 
 impl Comparison {
-    /// Beside the partner and cause that break most; none where the strength is no load, the bed's squeeze breaks most, or the
-    /// pellets are of several materials.
+    /// Beside the partner that breaks most; none where the strength is no load, the bed's squeeze is the cause that breaks
+    /// most, or the pellets are of several materials.
     pub(super) fn new(
         setup: &Setup,
         breakage: &Breakage,

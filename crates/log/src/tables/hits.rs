@@ -15,7 +15,9 @@ impl Hits {
     pub(super) fn take(&mut self, data: &[u8]) -> Result<(), String> {
         // Columns of a message lengthen those that are there.
         self.rows.merge(data).map_err(|error| error.to_string())?;
-        self.rows.check_rows()
+        let rows = self.rows.rows();
+        rows.map(drop)
+            .ok_or_else(|| hits::UNEQUAL_COLUMNS.to_owned())
     }
 
     /// The table; what is wrong with its rows.
@@ -58,7 +60,7 @@ pub(super) struct Classes {
 impl Classes {
     pub(super) fn take(&mut self, data: &[u8]) -> Result<(), String> {
         self.rows = hits::HitClasses::decode(data).map_err(|error| error.to_string())?;
-        self.rows.check_rows()
+        hits::classes(&self.rows).map(drop)
     }
 
     /// The table; what is wrong with its rows.

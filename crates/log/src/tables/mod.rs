@@ -17,14 +17,16 @@ pub use table::{Column, Table, Values};
 pub(crate) use unit::{unit_of, words_of};
 
 use crate::error::ReadError;
-use crate::provenance::Provenance;
+use crate::hits::{HitFacts, METADATA};
+use crate::message::seconds;
+use crate::provenance::{Provenance, RUN_METADATA};
 use crate::records::Records;
 use events::Events;
 use hits::{Classes, Hits};
 use mcap::records::{MessageHeader, Record};
 use series::Series;
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Component, Path};
 
 /// Kinds of tables that a recording can be read as.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -162,6 +164,16 @@ impl<'a> Reader<'a> {
         let Some((kind, name)) = table_of(topic) else {
             return Ok(());
         };
+        // Files are named after tables: a recording of others has no say in which folder they lie.
+        let parts = Path::new(name).components();
+        if kind == TableKind::Meters
+            && !parts.eq([
+                Component::Normal("meters".as_ref()),
+                Component::Normal(name["meters/".len()..].as_ref()),
+            ])
+        {
+            return Err("its name is none of a meter".into());
+        }
         if !self.kinds.contains(&kind) || self.sinks.contains_key(&id) {
             return Ok(());
         }
@@ -180,11 +192,10 @@ impl<'a> Reader<'a> {
     }
 
     fn describe(&mut self, name: &str, facts: BTreeMap<String, String>) -> Result<(), String> {
-        if name == "pelletflow.run" {
+        if name == RUN_METADATA {
             self.facts = facts;
-        } else if name == crate::hits::METADATA {
-            let walls = facts.get(crate::hits::WALLS).ok_or("it names no walls")?;
-            self.walls = serde_json::from_str(walls).map_err(|error| error.to_string())?;
+        } else if name == METADATA {
+            self.walls = HitFacts::read(&facts)?.walls;
         }
         Ok(())
     }
@@ -194,7 +205,7 @@ impl<'a> Reader<'a> {
         let Some((topic, sink)) = self.sinks.get_mut(&header.channel_id) else {
             return Ok(());
         };
-        let time = header.log_time as f64 * 1.0e-9;
+        let time = seconds(header.log_time);
         match sink {
             Sink::Bodies(bodies) => bodies.take(time, data),
             Sink::Hits(hits) => hits.take(data),

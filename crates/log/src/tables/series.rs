@@ -2,8 +2,6 @@
 
 use super::{Column, Table};
 use crate::message::series;
-use foxglove::prost_types::FileDescriptorSet;
-use prost::Message;
 
 /// A row for every message.
 pub(super) struct Series {
@@ -16,21 +14,11 @@ pub(super) struct Series {
 impl Series {
     /// A table of a name, with the fields of a schema; what is wrong with that.
     pub(super) fn new(name: &str, schema: &[u8]) -> Result<Self, String> {
-        let files = FileDescriptorSet::decode(schema).map_err(|error| error.to_string())?;
-        let message = files
-            .file
-            .first()
-            .and_then(|file| file.message_type.first())
-            .ok_or("its schema holds no message")?;
-        let mut fields: Vec<_> = message.field.iter().collect();
-        fields.sort_by_key(|field| field.number());
+        let names = series::names(schema).ok_or("its schema is no row of names")?;
         Ok(Self {
             name: name.into(),
             time: Vec::new(),
-            quantities: fields
-                .into_iter()
-                .map(|field| (field.name().into(), Vec::new()))
-                .collect(),
+            quantities: names.into_iter().map(|name| (name, Vec::new())).collect(),
         })
     }
 

@@ -12,9 +12,9 @@ use pelletflow_core::{
 };
 use pelletflow_log::{Progress, RunError, RunRequest, Summary, run};
 use pelletflow_sim::{
-    Domain, Fill, FillAmount, Integrator, Limits, MassFlow, Meter, MeterKind, Model, Motion,
-    NamedMaterial, NeighborSearch, Outlet, PelletKind, RunPlan, Schedule, Seats, Setup, Simulation,
-    SizeDistribution, Skips, StepRequest, Wall, WallForce,
+    Domain, Fill, FillAmount, Integrator, KeptFrames, Limits, MassFlow, Meter, MeterKind, Model,
+    Motion, NamedMaterial, NeighborSearch, Outlet, PelletKind, RunPlan, Schedule, Seats, Setup,
+    Simulation, SizeDistribution, Skips, StepRequest, Wall, WallForce,
 };
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -163,6 +163,7 @@ pub(crate) fn plan(end_time: f64) -> RunPlan {
         end_time,
         stop: Vec::new(),
         frame_interval: 0.01,
+        kept_frames: KeptFrames::default(),
         meter_interval: 0.005,
         checkpoint_interval: f64::INFINITY,
     }
@@ -185,6 +186,7 @@ pub(crate) fn run_into(
         scene_files: &[],
         plan,
         spheres_up_to,
+        live: None,
     };
     run(&mut simulation(setup), &request, observer)
 }

@@ -1,11 +1,10 @@
 //! Fills: how many pellets, and how they are put.
 
-use super::{GOOD, draft, spoiled};
+use super::{GOOD, draft};
 use pelletflow_sim::{FillAmount, Seats};
 use std::f64::consts::PI;
 
 const COUNT: &str = "count = 10";
-const REGION: &str = "region = { kind = \"box\", min = [0, 0, 0.1], max = [0.1, 0.1, \"200 mm\"] }";
 const SCREENED: &str = "diameter = { openings = [0.005, 0.01], passing = [0, 1] }";
 
 fn seats(text: &str) -> Seats {
@@ -70,38 +69,4 @@ fn a_level_is_a_height_against_gravity() {
     let expected = 0.6 * 0.8 * 0.1_f64.powi(3) / (PI / 6.0 * 0.015_f64.powi(3));
     // Of 64 points along x, 51 lie within 0.8 of the length.
     assert!((count as f64 / expected - 1.0).abs() < 0.01, "{count}");
-}
-
-#[test]
-fn amounts_that_cannot_be_are_refused() {
-    for (good, bad, expected) in [
-        (
-            COUNT,
-            "to_level = 0.05",
-            "no pellet fits below 0.05 m; the region goes from 0.1 m to 0.2 m",
-        ),
-        (
-            COUNT,
-            "count = 10\nto_level = 0.15",
-            "`count` and `to_level` are both given; keep one",
-        ),
-        (
-            COUNT,
-            "packing = \"deposit\"",
-            "`count`, `mass` or `to_level` is missing",
-        ),
-        (
-            COUNT,
-            "count = 10\npacking = \"pile\"",
-            "unknown packing `pile`; expected `lattice` or `deposit`",
-        ),
-        (
-            REGION,
-            "at = [[0, 0, 1]]\npacking = \"lattice\"",
-            "`at` places every pellet by itself",
-        ),
-    ] {
-        let text = spoiled(good, bad);
-        assert!(text.contains(expected), "{bad}: {text}");
-    }
 }

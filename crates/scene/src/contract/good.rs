@@ -1,7 +1,7 @@
 //! What a scene without mistakes becomes.
 
 use super::{GOOD, draft, draft_with};
-use crate::{Scene, TEMPLATES, schema};
+use crate::{Override, OverrideError, Scene, TEMPLATES, parts_of, schema};
 use pelletflow_core::Vec3;
 use pelletflow_sim::{
     FillAmount, Motion, Rate, Seats, Setup, SizeDistribution, StepRequest, StopCondition,
@@ -191,6 +191,54 @@ fn overrides_change_the_text_as_run_and_nothing_else() {
     let again = setup(&draft.text);
     assert_eq!(again, draft.resolved.setup);
     assert!(!draft.resolved.expectations.is_empty());
+}
+
+#[test]
+fn of_overrides_that_meet_the_last_one_counts() {
+    let end_time = |sets: &[&str]| {
+        let draft = draft_with(GOOD, sets).expect("good");
+        draft.resolved.plan.end_time
+    };
+    let whole = "time={end = 2.0}";
+    assert_eq!(end_time(&["time.end=1.0", "time.end=3.0"]), 3.0);
+    assert_eq!(end_time(&["time.end=1.0", whole]), 2.0);
+    assert_eq!(end_time(&[whole, "time.end=1.0"]), 1.0);
+    assert_eq!(end_time(&["time.end=1.0", whole, "\"time\".end=3.0"]), 3.0);
+}
+
+#[test]
+fn the_order_of_overrides_that_do_not_meet_leaves_the_text_as_it_is() {
+    // All are new to the scene, so that the text has to find a place for them.
+    let sets = [
+        "scene.seed=3",
+        "scene.description=one",
+        "output.hits=false",
+        "contact.rolling=\"none\"",
+    ];
+    let mut reversed = sets;
+    reversed.reverse();
+    let text = |sets: &[&str]| draft_with(GOOD, sets).expect("good").text;
+    assert_eq!(text(&sets), text(&reversed));
+}
+
+#[test]
+fn a_value_is_set_as_json_has_it_and_null_is_none() {
+    let set = Override::of_value("scene.\"a.b\".c", &json!([1, 2.5, "x\u{7f}"])).expect("a value");
+    assert_eq!(
+        parts_of(set.key()),
+        Ok(vec!["scene".into(), "a.b".into(), "c".into()])
+    );
+    let again: Override = set.to_string().parse().expect("what it says of itself");
+    assert_eq!(again.to_string(), set.to_string());
+    for nothing in [json!(null), json!([null]), json!({ "end": null })] {
+        let refused = Override::of_value("time.end", &nothing);
+        assert_eq!(
+            refused.err(),
+            Some(OverrideError::NoValue("time.end".into()))
+        );
+    }
+    let refused = Override::of_value("a=b", &json!(1));
+    assert_eq!(refused.err(), Some(OverrideError::NotAKey("a=b".into())));
 }
 
 #[test]

@@ -1,7 +1,6 @@
 //! Motions: what is read, and which tables are refused.
 
 use super::{GOOD, draft};
-use crate::Scene;
 use pelletflow_core::Vec3;
 use pelletflow_sim::{Interpolation, Motion, Swing};
 use std::f64::consts::PI;
@@ -53,34 +52,4 @@ fn a_list_of_motions_is_combined_in_its_order() {
         angle: 0.01,
     };
     assert!(matches!(motions[1], Motion::Vibrating { swing: Some(found), .. } if found == swing));
-}
-
-#[test]
-fn a_table_that_cannot_be_followed_is_refused() {
-    for (written, expected) in [
-        (
-            "{ kind = \"table\", moments = [0, 1] }",
-            "walls.floor.motion: the table has neither `displacements` nor `angles`",
-        ),
-        (
-            "{ kind = \"table\", moments = [0, 1], angles = [0] }",
-            "walls.floor.motion.angles: `angles` has 1 values and `moments` 2; expected one for each moment",
-        ),
-        (
-            "{ kind = \"table\", moments = [0], angles = [0] }",
-            "`moments` has 1 values; expected a list of at least 2",
-        ),
-        (
-            "{ kind = \"table\", moments = [0, 2, 1], angles = [0, 1, 0] }",
-            "walls.floor.motion: the moment 1 s does not come after 2 s; let the moments of the table rise",
-        ),
-        (
-            "[{ kind = \"fixed\" }, { kind = \"turning\" }]",
-            "walls.floor.motion[1].kind: unknown kind `turning`",
-        ),
-        ("7", "expected a table or a list"),
-    ] {
-        let error = Scene::parse(&moved(written), "scene.toml", &[]).expect_err(written);
-        assert!(error.to_string().contains(expected), "{written}: {error}");
-    }
 }

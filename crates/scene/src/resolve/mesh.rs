@@ -20,6 +20,25 @@ const FEWEST_DIAMETERS: f64 = 5.0;
 /// Skin over the largest diameter up to which a grid is asked, where no skin is given [-]; beyond, the triangles are.
 const SKIN_SHARE: f64 = 0.1;
 
+/// Longest file of a mesh that is read [B]: forty million triangles.
+const LONGEST_FILE: u64 = 2 << 30;
+
+/// What a file holds, if it is one and not beyond all bounds.
+fn contents(path: &Path) -> io::Result<Vec<u8>> {
+    let facts = std::fs::metadata(path)?;
+    if facts.is_dir() {
+        return Err(io::ErrorKind::IsADirectory.into());
+    }
+    if !facts.is_file() {
+        // A device may have no end.
+        return Err(io::ErrorKind::Unsupported.into());
+    }
+    if facts.len() > LONGEST_FILE {
+        return Err(io::ErrorKind::FileTooLarge.into());
+    }
+    std::fs::read(path)
+}
+
 /// A file that a wall was made from.
 #[derive(Debug, Clone)]
 pub(crate) struct MeshFile {
@@ -135,16 +154,13 @@ impl Resolver<'_> {
 
     fn bytes(&mut self, file: &str, key: &KeyPath) -> Option<Arc<[u8]>> {
         let path = self.directory.join(file);
-        let read = if path.is_dir() {
-            Err(io::ErrorKind::IsADirectory.into())
-        } else {
-            std::fs::read(&path)
-        };
-        let cause = match read {
+        let cause = match contents(&path) {
             Ok(bytes) => return Some(bytes.into()),
             Err(error) => match error.kind() {
                 io::ErrorKind::NotFound | io::ErrorKind::NotADirectory => "there is no such file",
                 io::ErrorKind::IsADirectory => "this is a directory",
+                io::ErrorKind::Unsupported => "this is a device and no file",
+                io::ErrorKind::FileTooLarge => "this is a file of more than 2 GiB",
                 _ => {
                     self.unreadable = Some(SceneError::Unreadable {
                         path,

@@ -9,7 +9,8 @@ use crate::spec::run::IntegratorSpec;
 use crate::spec::run::{LimitsSpec, SkipSpec};
 use pelletflow_core::contact::{ContactLaws, NormalLaw, TangentialLaw, TurningLaw};
 use pelletflow_sim::{
-    HitRequest, Integrator, Limits, NeighborSearch, RunPlan, Skips, StepRequest, StopCondition,
+    HitRequest, Integrator, KeptFrames, Limits, NeighborSearch, RunPlan, Skips, StepRequest,
+    StopCondition,
 };
 
 /// Error of the peak force that a step is chosen for [-].
@@ -110,9 +111,57 @@ impl Resolver<'_> {
             end_time,
             stop: self.stop(),
             frame_interval,
+            kept_frames: self.kept_frames(frame_interval),
             meter_interval,
             checkpoint_interval: checkpoint_interval(spec.output.checkpoint_interval),
         }
+    }
+
+    /// Which frames are kept, of those taken every `interval` [s].
+    fn kept_frames(&mut self, interval: f64) -> KeptFrames {
+        let (output, end) = (&self.spec.output, self.spec.time.end.0);
+        let kept = KeptFrames {
+            of_last: output.frames_of_last.map(|span| span.0),
+            around_worst_hits: output.frames_around_worst_hits.map(|span| span.0),
+        };
+        let mut refuse = |key: &str, message: String| {
+            self.findings.add(&KeyPath::of(["output", key]), message);
+        };
+        if let Some(span) = kept.of_last
+            && span > end
+        {
+            refuse(
+                "frames_of_last",
+                format!(
+                    "`frames_of_last` is {} s; expected at most `end`, {} s: leave it out to keep all frames",
+                    show(span),
+                    show(end)
+                ),
+            );
+        }
+        let Some(span) = kept.around_worst_hits else {
+            return kept;
+        };
+        let key = "frames_around_worst_hits";
+        if output.hits == Some(false) {
+            refuse(
+                key,
+                format!("`{key}` does nothing where `hits` is false; leave one of them out"),
+            );
+        }
+        // Else there would be hits without a frame.
+        if span < interval / 2.0 {
+            refuse(
+                key,
+                format!(
+                    "`{key}` is {} s; expected at least half of the time between frames, {} s: lengthen it, or shorten \
+                     `frame_interval`",
+                    show(span),
+                    show(interval / 2.0)
+                ),
+            );
+        }
+        kept
     }
 
     fn stop(&mut self) -> Vec<StopCondition> {

@@ -49,6 +49,12 @@ pub(crate) struct StopSpec {
 pub(crate) struct OutputSpec {
     /// Time between recorded frames [s]; chosen from the length of the run where none is given.
     pub(crate) frame_interval: Option<Duration>,
+    /// Once the run is over, only frames of its last stretch are kept, of this length, beside the first and the last [s];
+    /// all where nothing is said.
+    pub(crate) frames_of_last: Option<Duration>,
+    /// Once the run is over, only frames are kept that are no farther than this from one of its 20 hardest hits, beside the
+    /// first and the last [s]; all where nothing is said. With `frames_of_last`, the frames of both are kept.
+    pub(crate) frames_around_worst_hits: Option<Duration>,
     /// Time between recorded meter readings [s]; chosen from the length of the run where none is given.
     pub(crate) meter_interval: Option<Duration>,
     /// Number of pellets up to which they are recorded as spheres of true size [-]; 2000 where none is given.

@@ -11,6 +11,9 @@ use toml_edit::Value;
 /// Taken for a quantity that is missing or wrong, so that the checks can go on.
 const STAND_IN: f64 = 1.0;
 
+/// Largest whole number that may be written with a point or an exponent: of larger ones not all have a number of their own.
+const LARGEST_WHOLE: f64 = 1e15;
+
 /// What to take for a missing key; tables and lists have no stand-in.
 pub(super) fn stand_in(schema: &Schema) -> Option<Value> {
     if schema.get("x-quantity").is_some() {
@@ -51,6 +54,9 @@ impl Walker<'_> {
             Some(format!("`{key}` is {shown}; expected {expected}"))
         } else if is_whole && number.fract() != 0.0 {
             Some(format!("`{key}` is {shown}; expected a whole number"))
+        } else if is_whole && value.is_float() && number.abs() > LARGEST_WHOLE {
+            let largest = show(LARGEST_WHOLE);
+            Some(format!("`{key}` is {shown}; expected at most {largest}"))
         } else {
             bounds::broken(schema, number, "")
                 .map(|expected| format!("`{key}` is {shown}; expected {expected}"))

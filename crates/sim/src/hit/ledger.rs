@@ -1,8 +1,10 @@
 //! The ledger of all hits: exact counts and sums of all, rows of those that matter.
 
 use super::{Hit, HitPartner};
+use crate::ledger::MOST_COUNTED;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
 
 /// What is kept of the hits of a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,6 +16,8 @@ pub struct HitRequest {
 
 /// Classes of force per doubling [-].
 const CLASSES_PER_OCTAVE: f64 = 8.0;
+/// Exponents of the least normal and of the greatest finite number [-].
+const OCTAVES: [i32; 2] = [f64::MIN_EXP - 1, f64::MAX_EXP - 1];
 
 /// Hits with one partner and of nearly the same force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -65,6 +69,9 @@ impl HitClassKey {
             force_class: (CLASSES_PER_OCTAVE * force.log2()).floor() as i32,
         }
     }
+
+    /// Numbers of the classes of all forces there are, from the least to the greatest [-].
+    pub const FORCE_CLASSES: RangeInclusive<i32> = 8 * OCTAVES[0]..=8 * OCTAVES[1] + 7;
 
     /// Bounds of the greatest force of the class, the upper one outside [N].
     pub fn forces(self) -> [f64; 2] {
@@ -125,6 +132,18 @@ impl HitLedger {
         &self.rows
     }
 
+    /// Whether it can be that of a number of walls [-].
+    pub(crate) fn fits(&self, walls: usize) -> bool {
+        let is_known = |key: &HitClassKey| {
+            key.wall.is_none_or(|wall| wall < walls)
+                && HitClassKey::FORCE_CLASSES.contains(&key.force_class)
+        };
+        let mut classes = self.classes.iter();
+        classes.all(|(key, class)| {
+            is_known(key) && class.kept <= class.count && class.count <= MOST_COUNTED
+        })
+    }
+
     /// Its sketch alone.
     pub(super) fn without_rows(&self) -> Self {
         Self {
@@ -143,4 +162,34 @@ impl HitLedger {
 pub(super) enum IsKept {
     InFull,
     InSums,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_ledger_of_forces_walls_or_counts_that_there_are_none_of_does_not_fit() {
+        let ledger = |wall, force_class, count, kept| HitLedger {
+            classes: BTreeMap::from([(
+                HitClassKey { wall, force_class },
+                HitClass {
+                    count,
+                    kept,
+                    ..HitClass::default()
+                },
+            )]),
+            rows: Vec::new(),
+        };
+        assert!(ledger(Some(1), 0, 2, 2).fits(2));
+        assert!(ledger(None, *HitClassKey::FORCE_CLASSES.end(), 2, 0).fits(0));
+        for forged in [
+            ledger(Some(2), 0, 2, 2),
+            ledger(None, i32::MAX, 2, 2),
+            ledger(None, 0, 2, 3),
+            ledger(None, 0, u64::MAX, 0),
+        ] {
+            assert!(!forged.fits(2), "{forged:?}");
+        }
+    }
 }

@@ -63,7 +63,7 @@ pub(crate) fn follow(
     }
     if force > trace.sampled_force || steps == 0 {
         trace.rise(batch, lane, center, steps);
-    } else if steps == trace.steps_to_peak + 1 {
+    } else if steps - 1 == trace.steps_to_peak {
         trace.look_back(model, batch, lane);
     }
 }

@@ -92,6 +92,12 @@ pub(crate) trait Instrument {
         None
     }
 
+    /// Whether a record read back can be one: it leads to pellets that are there, of which there are so many [-], and what it
+    /// counts can be counted on.
+    fn fits(&self, _record: &Self::Record, _pellets: usize) -> bool {
+        true
+    }
+
     /// Takes note of the pellets after they have been stored anew.
     fn list(&self, _record: &mut Self::Record, _model: &Model, _state: &State) {}
 

@@ -5,7 +5,7 @@
 //! none moves by more than the skin.
 
 use super::{Instrument, Values, Watched, averaged};
-use crate::ledger::PelletTally;
+use crate::ledger::{MOST_COUNTED, PelletTally};
 use crate::model::Model;
 use crate::setup::Setup;
 use crate::state::{Row, State, vector};
@@ -72,6 +72,11 @@ impl Instrument for PlaneFlow {
             mistakes.push(("radius", message));
         }
         mistakes
+    }
+
+    fn fits(&self, record: &Crossings, pellets: usize) -> bool {
+        record.forward.count.max(record.backward.count) <= MOST_COUNTED
+            && record.near.iter().all(|near| near.index < pellets)
     }
 
     fn list(&self, record: &mut Crossings, _model: &Model, state: &State) {

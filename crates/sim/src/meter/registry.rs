@@ -51,10 +51,10 @@ macro_rules! registry {
         }
 
         impl Record {
-            /// Whether it is what a meter of this kind gathers.
-            pub(crate) fn is_of(&self, kind: &MeterKind) -> bool {
+            /// Whether it can be what a meter of this kind has gathered of so many pellets.
+            pub(crate) fn fits(&self, kind: &MeterKind, pellets: usize) -> bool {
                 match (kind, self) {
-                    $((MeterKind::$meter(_), Self::$meter(_)) => true,)*
+                    $((MeterKind::$meter(meter), Self::$meter(record)) => meter.fits(record, pellets),)*
                     _ => false,
                 }
             }

@@ -3,6 +3,7 @@
 use super::patch::{self, PatchTable, Patches};
 use super::touch::WallTouch;
 use super::{Instrument, Values, Watched};
+use crate::ledger::MOST_COUNTED;
 use crate::model::Model;
 use crate::setup::Setup;
 use crate::state::State;
@@ -61,6 +62,11 @@ impl Instrument for WallImpacts {
     type Record = (Impacts, Patches<Impacts>);
 
     const NAME: &'static str = "wall-impacts";
+
+    fn fits(&self, (all, patches): &Self::Record, _pellets: usize) -> bool {
+        let mut received = patches.iter().chain([all]);
+        received.all(|impacts| impacts.count <= MOST_COUNTED)
+    }
 
     fn mistakes(&self, setup: &Setup) -> Vec<(&'static str, String)> {
         let mut mistakes = super::unknown("wall", self.wall, setup.walls.len());

@@ -34,10 +34,12 @@ impl KeptContacts {
     }
 }
 
-/// The contacts of lists, each as it was; nothing where they are those of other lists.
+/// The contacts of lists after a number of steps [-], each as it was; nothing where they are those of other lists, or older
+/// than the run.
 pub(super) fn put_back(
     model: &Model,
     lists: &[ChunkList],
+    steps: u64,
     kept: Vec<KeptContacts>,
 ) -> Option<Vec<ChunkContacts>> {
     if lists.len() != kept.len() {
@@ -49,8 +51,8 @@ pub(super) fn put_back(
             let of_walls = list.near_walls.len();
             (kept.wall_normals.len() == of_walls).then_some(())?;
             Some(ChunkContacts {
-                pellet: kept.pellet.put_back(model, list.partners.len())?,
-                wall: kept.wall.put_back(model, of_walls)?,
+                pellet: kept.pellet.put_back(model, list.partners.len(), steps)?,
+                wall: kept.wall.put_back(model, of_walls, steps)?,
                 wall_normals: kept.wall_normals,
             })
         })
@@ -78,14 +80,15 @@ impl KeptMemories {
     }
 
     /// As many memories as a list has places, with those kept in theirs.
-    fn put_back(&self, model: &Model, places: usize) -> Option<ContactMemories> {
+    fn put_back(&self, model: &Model, places: usize, steps: u64) -> Option<ContactMemories> {
         let numbers = model.laws().extra_numbers();
         let kept = self.slots.len();
         let traces = if model.follows_hits() { kept } else { 0 };
         let is_whole = self.memories.rows.len() == kept
             && self.memories.extra.len() == kept * numbers
             && self.memories.traces.len() == traces;
-        if !is_whole {
+        let mut rows = self.memories.rows.iter();
+        if !is_whole || rows.any(|row| u64::from(row.steps) > steps) {
             return None;
         }
         let mut all = ContactMemories::new(places, model);

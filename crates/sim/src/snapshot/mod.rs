@@ -103,6 +103,10 @@ impl Simulation {
             free_steps,
         } = snapshot;
         fit::check(&model, &state).map_err(RestoreError::Misfit)?;
+        if free_steps > state.step {
+            let reason = "it flew for more steps than it took";
+            return Err(RestoreError::Misfit(reason.into()));
+        }
         let pool =
             start_threads(threads).map_err(|source| RestoreError::Threads { threads, source })?;
         let mut workspace = Workspace {
@@ -117,7 +121,7 @@ impl Simulation {
         within(pool.as_ref(), || {
             neighbors::list_again(&model, &state, &mut workspace);
         });
-        state.contacts = contacts::put_back(&model, &workspace.lists, contacts)
+        state.contacts = contacts::put_back(&model, &workspace.lists, state.step, contacts)
             .ok_or_else(|| RestoreError::Misfit("it lists other contacts".into()))?;
         pair_contacts::note_lists(&state, &mut workspace);
         Ok(Self::of_parts(model, state, workspace, pool))

@@ -165,6 +165,8 @@ fn outside(setup: &Setup, bounds: &Bounds) -> Option<String> {
             return None;
         };
         let name = ["x", "y", "z"][axis];
+        // To a nanometer: what rounding adds tells nothing.
+        let place = (place * 1.0e9).round() / 1.0e9;
         Some(format!(
             "reaches to {name} = {place} m, outside of the domain, which goes from {} m to {} m along {name}: pellets there are \
              lost; widen `domain` or move them",

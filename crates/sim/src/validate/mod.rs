@@ -229,7 +229,7 @@ impl Mistakes {
         }
         let (step, key, unit) = match setup.step {
             StepRequest::PeakForceError(error) => (error, "time.peak_force_error", ""),
-            StepRequest::Fixed(step) => (step, "time.step", "s"),
+            StepRequest::Fixed(step) | StepRequest::Unchecked(step) => (step, "time.step", "s"),
         };
         self.expect(
             step.is_finite() && step > 0.0,

@@ -1,19 +1,18 @@
 //! `pelletflow safe-speed --scene`.
 
 use super::Asked;
-use crate::args::safe_speed::{SafeSpeedArguments, SceneArguments};
+use crate::args::safe_speed::SafeSpeedArguments;
 use crate::commands::hit::bad_input;
 use crate::exit::{Exit, Failure};
 use crate::screen;
 use crate::table::{self, chosen, count, number, percent};
 use indicatif::{ProgressBar, ProgressStyle};
-use pelletflow_core::Vec3;
 use pelletflow_impact::StrengthLaw;
 use pelletflow_log::safe_setting::Comparison;
 use pelletflow_log::{
     BreakageRequest, SafeSetting, SafeSettingError, SafeSettingRequest, safe_setting,
 };
-use pelletflow_scene::{Override, Scene};
+use pelletflow_scene::{Scene, Setting};
 use serde_json::{Value, json};
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -29,7 +28,13 @@ pub(super) fn safe_setting_of(
 ) -> Result<Exit, Failure> {
     let of_scene = &arguments.of_scene;
     let scene = Scene::read(path, &of_scene.set)?;
-    let setting = Setting::new(&scene, of_scene)?;
+    let range = of_scene
+        .range
+        .as_ref()
+        .ok_or_else(|| bad_input("--scene needs --range, such as --range 1..12m/s".into()))?;
+    let setting = Setting::of_scene(&scene, of_scene.vary.as_deref(), &range.unit)
+        .map_err(|error| bad_input(format!("{error}; --vary names it")))?;
+    let range = [range.least, range.greatest];
     let request = SafeSettingRequest {
         breakage: BreakageRequest {
             law: StrengthLaw::Load(asked.strength),
@@ -37,7 +42,7 @@ pub(super) fn safe_setting_of(
             places: 3,
         },
         risk: arguments.risk,
-        range: setting.range,
+        range,
         tolerance: of_scene.tolerance,
         seeds: of_scene.seeds,
         threads: of_scene.threads.unwrap_or(0),
@@ -47,7 +52,7 @@ pub(super) fn safe_setting_of(
         &request,
         &mut |value| {
             let mut overrides = of_scene.set.clone();
-            overrides.push(setting.set(value)?);
+            overrides.push(setting.set(value).map_err(|error| error.to_string())?);
             let scene = Scene::read(path, &overrides).map_err(|error| error.to_string())?;
             Ok((scene.setup, scene.plan))
         },
@@ -62,6 +67,7 @@ pub(super) fn safe_setting_of(
         found: found.map_err(|error| refused(&error))?,
         title: scene.title,
         setting,
+        range,
         risk: arguments.risk,
         told: &asked.told,
     };
@@ -92,101 +98,12 @@ fn refused(error: &SafeSettingError) -> Failure {
     }
 }
 
-/// What is varied.
-struct Setting {
-    key: String,
-    /// Direction of a velocity, whose size is varied.
-    direction: Option<[f64; 3]>,
-    range: [f64; 2],
-    unit: String,
-}
-
-impl Setting {
-    fn new(scene: &Scene, arguments: &SceneArguments) -> Result<Self, Failure> {
-        let range = arguments
-            .range
-            .as_ref()
-            .ok_or_else(|| bad_input("--scene needs --range, such as --range 1..12m/s".into()))?;
-        let velocities = velocities(scene);
-        let key = match (&arguments.vary, velocities.as_slice()) {
-            (Some(key), _) | (None, [(key, _)]) => key.clone(),
-            (None, several) => {
-                let keys: Vec<&str> = several.iter().map(|(key, _)| key.as_str()).collect();
-                return Err(bad_input(format!(
-                    "the scene has {} ways in for pellets; say what to vary with --vary, for example one of: {}",
-                    several.len(),
-                    keys.join(", ")
-                )));
-            }
-        };
-        let velocity = velocities.iter().find(|(known, _)| *known == key);
-        Ok(Self {
-            direction: velocity.map(|(_, direction)| *direction),
-            unit: if velocity.is_some() && range.unit.is_empty() {
-                "m/s".into()
-            } else {
-                range.unit.clone()
-            },
-            range: [range.least, range.greatest],
-            key,
-        })
-    }
-
-    /// The override that gives the scene a value.
-    fn set(&self, value: f64) -> Result<Override, String> {
-        let quoted = |value: f64| {
-            if self.unit.is_empty() {
-                format!("{value:?}")
-            } else {
-                format!("\"{value:?} {}\"", self.unit)
-            }
-        };
-        let text = match self.direction {
-            Some(direction) => {
-                let parts = direction.map(|part| quoted(part * value));
-                format!("[{}]", parts.join(", "))
-            }
-            None => quoted(value),
-        };
-        format!("{}={text}", self.key)
-            .parse()
-            .map_err(|error: pelletflow_scene::OverrideError| error.to_string())
-    }
-
-    fn name(&self) -> String {
-        match self.direction {
-            Some(_) => format!("size of {}", self.key),
-            None => self.key.clone(),
-        }
-    }
-}
-
-/// Keys of the velocities at which pellets come in, and their directions; straight down where there is none.
-fn velocities(scene: &Scene) -> Vec<(String, [f64; 3])> {
-    let direction = |velocity: Vec3| {
-        let along = velocity
-            .try_normalize(0.0)
-            .or_else(|| scene.setup.gravity.try_normalize(0.0))
-            .unwrap_or(-Vec3::z());
-        [along.x, along.y, along.z]
-    };
-    let fills = scene.setup.fills.iter();
-    let fills = fills.map(|fill| {
-        let key = format!("fill.{}.velocity", fill.name);
-        (key, direction(fill.velocity))
-    });
-    let inlets = scene.setup.inlets.iter();
-    let inlets = inlets.map(|inlet| {
-        let key = format!("inlets.{}.velocity", inlet.name);
-        (key, direction(inlet.velocity))
-    });
-    fills.chain(inlets).collect()
-}
-
 struct Answer<'a> {
     found: SafeSetting,
     title: String,
     setting: Setting,
+    /// Values between which it was sought [the setting's unit].
+    range: [f64; 2],
     risk: f64,
     told: &'a str,
 }
@@ -202,7 +119,7 @@ impl Answer<'_> {
     fn bound(&self, side: usize) -> String {
         let words = ["less than", "more than"][side];
         self.found.interval[side].map_or_else(
-            || format!("{words} {}", self.with_unit(self.setting.range[side])),
+            || format!("{words} {}", self.with_unit(self.range[side])),
             |value| self.with_unit(value),
         )
     }
@@ -235,8 +152,8 @@ impl Answer<'_> {
                 self.title,
                 self.told,
                 self.setting.name(),
-                self.with_unit(self.setting.range[0]),
-                self.with_unit(self.setting.range[1]),
+                self.with_unit(self.range[0]),
+                self.with_unit(self.range[1]),
                 found.runs.len() + found.seed_shares.len(),
             ),
             table::listing(["", "best", "interval"], &[1, 2], rows),

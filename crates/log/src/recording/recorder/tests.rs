@@ -1,16 +1,21 @@
 //! A slow, a full and a broken disk.
 
-use super::{Entry, FRAMES, Recorder, Stopped};
+use super::{Entry, FRAMES, Recorder, RecordingTimes, Stopped};
+use crate::checkpoint::{Identity, Keeper, Spent};
+use crate::counts_before::CountsBefore;
+use crate::logbook::Logbook;
 use crate::message::event::Gravity;
 use crate::recording::{DrawnPellet, Recording, Title};
+use crate::run::RunRequest;
 use mcap::{McapError, McapResult};
-use pelletflow_core::{Bounds, ContactLaws, Material, Vec3};
+use pelletflow_core::{Bounds, ContactLaws, Material, PairProperties, Shape, Vec3};
 use pelletflow_sim::{
-    Domain, Integrator, Limits, NamedMaterial, NeighborSearch, PelletKind, Setup, SizeDistribution,
-    Skips, StepRequest,
+    Domain, Fill, FillAmount, Integrator, KeptFrames, Limits, Model, NamedMaterial, NeighborSearch,
+    PelletKind, RunPlan, Seats, Setup, Simulation, SizeDistribution, Skips, StepRequest,
 };
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Cursor, Seek, SeekFrom, Write};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -128,7 +133,7 @@ fn record<W: Write + Seek + Send>(
         layout: "",
         facts: BTreeMap::new(),
     };
-    let recording = Recording::start(disk, &setup(), &title, PELLETS as usize, 1.0)
+    let recording = Recording::start(disk, &setup(), &title, PELLETS as usize, 1.0, None)
         .expect("these disks take the title");
     thread::scope(|scope| {
         let mut recorder = Recorder::start(scope, recording).expect("a thread can be started");
@@ -260,4 +265,61 @@ fn a_panic_of_the_thread_goes_on_in_the_run() {
         Ok(())
     });
     let _ = record(burning, |recorder| while put_frame(recorder, 0).is_ok() {});
+}
+
+#[test]
+fn no_checkpoint_is_due_while_one_waits_for_the_disk() {
+    let lone = Setup {
+        pairs: vec![([0, 0], PairProperties::ELASTIC)],
+        fills: vec![Fill {
+            name: "lone".into(),
+            pellets: 0,
+            seats: Seats::Lattice {
+                region: Shape::Cuboid {
+                    half_sides: Vec3::repeat(0.1),
+                },
+                amount: FillAmount::Count(1),
+            },
+            velocity: Vec3::x(),
+            spin: Vec3::zeros(),
+        }],
+        step: StepRequest::Fixed(1.0e-5),
+        ..setup()
+    };
+    let model = Model::new(lone).expect("it is a right setup");
+    let simulation = Simulation::new(model, 1).expect("it fits");
+    let plan = RunPlan {
+        end_time: 1.0,
+        stop: Vec::new(),
+        frame_interval: 0.1,
+        kept_frames: KeptFrames::default(),
+        meter_interval: 0.1,
+        checkpoint_interval: 0.0,
+    };
+    let directory = tempfile::tempdir().expect("a temporary directory can be made");
+    let file = tempfile::tempfile().expect("a temporary file can be made");
+    let request = RunRequest {
+        directory: directory.path(),
+        scene_name: "lone",
+        scene_title: "One pellet",
+        scene_text: "",
+        scene_hash: "",
+        scene_files: &[],
+        plan: &plan,
+        spheres_up_to: 0,
+        live: None,
+    };
+    let mut keeper = Keeper::new(
+        directory.path().into(),
+        Identity::of(&request),
+        Arc::new(file),
+        plan.checkpoint_interval,
+        (CountsBefore::of(&simulation), Spent::default()),
+    );
+    assert!(keeper.is_due());
+    let logbook = Logbook::new(&simulation, &plan);
+    let waiting = keeper.save(&simulation, &logbook, RecordingTimes::default());
+    assert!(!keeper.is_due());
+    drop(waiting);
+    assert!(keeper.is_due());
 }

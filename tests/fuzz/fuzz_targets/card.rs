@@ -1,0 +1,6 @@
+//! Fuzzes the reader `card`.
+#![no_main]
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {
+    pelletflow_fuzz::read("card", bytes);
+});

@@ -1,0 +1,6 @@
+//! Fuzzes the reader `obj`.
+#![no_main]
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {
+    pelletflow_fuzz::read("obj", bytes);
+});
