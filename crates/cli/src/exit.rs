@@ -1,6 +1,6 @@
 //! How a command ends.
 
-use pelletflow_log::{ExportError, FolderError, LiveError, ReadError, RunError};
+use pelletflow_log::{ExportError, FolderError, LiveError, ReadError, ReportError, RunError};
 use pelletflow_scene::{LabSheetError, Mistakes, SceneError, StrengthCardError};
 use std::io;
 
@@ -104,6 +104,15 @@ impl From<ReadError> for Failure {
             _ => Exit::BadInput,
         };
         Self::new(exit, error.to_string())
+    }
+}
+
+impl From<ReportError> for Failure {
+    fn from(error: ReportError) -> Self {
+        match error {
+            ReportError::Read(error) => error.into(),
+            ReportError::Strength(error) => Self::new(Exit::BadInput, error.to_string()),
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Tables of results, and numbers as they stand in them.
 
 use comfy_table::{CellAlignment, Table, presets};
-pub(crate) use pelletflow_log::figures::{count, number};
+pub(crate) use pelletflow_log::figures::{LEAST_SHARE, chosen, count, number, percent};
 
 /// Rows of a quantity and its value.
 pub(crate) fn facts(rows: impl IntoIterator<Item = (String, String)>) -> String {
@@ -33,15 +33,6 @@ pub(crate) fn listing<const N: usize>(
     table.trim_fmt()
 }
 
-/// A number that somebody chose, as it was written: four significant digits at most.
-pub(crate) fn chosen(value: f64) -> String {
-    let text = number(value);
-    if text.contains('e') || !text.contains('.') {
-        return text;
-    }
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
-}
-
 /// A span of time as people say it.
 pub(crate) fn span(seconds: f64) -> String {
     if seconds < 1.0e-3 {
@@ -66,18 +57,6 @@ pub(crate) fn bytes(bytes: u64) -> String {
         format!("{} MB", number(bytes / 1.0e6))
     } else {
         format!("{} GB", number(bytes / 1.0e9))
-    }
-}
-
-/// Share below which no distribution can be believed [-].
-pub(crate) const LEAST_SHARE: f64 = 1.0e-6;
-
-/// A share as it stands in a table: what is next to nothing is no number.
-pub(crate) fn percent(share: f64) -> String {
-    if share > 0.0 && share < LEAST_SHARE {
-        format!("< {} %", chosen(100.0 * LEAST_SHARE))
-    } else {
-        format!("{} %", number(100.0 * share))
     }
 }
 

@@ -3,6 +3,8 @@
 mod common;
 
 use common::{Call, call};
+use pelletflow_log::figures::number;
+use serde_json::Value;
 use std::fs;
 use std::path::Path;
 use tempfile::TempDir;
@@ -60,10 +62,45 @@ fn a_page_holds_every_section_and_asks_for_nothing() {
         assert!(!page.contains(request), "{request}");
     }
     assert!(page.contains("The replay holds every frame and every pellet of the recording."));
-    assert!(page.contains("pellets break at 20.00 N"));
+    assert!(page.contains("every pellet breaks at 20 N. Of 150 pellets"));
     assert!(page.contains("<td>bodies.inserted</td><td>7</td><td>150</td><td>no</td>"));
     assert!(page.contains("Young&#39;s modulus"));
     assert!(page.len() < 1_000_000, "{}", page.len());
+}
+
+#[test]
+fn a_page_tells_of_a_card_what_a_score_does() {
+    let directory = recording(&["strength.load=\"1 N\""]);
+    let card = "name = \"soft\"\nsource = \"made up\"\ntest_diameter = \"12 mm\"\nsample_size = 60\ndistribution = \"weibull\"\nscale = \"20 N\"\nmodulus = 3\n";
+    fs::write(directory.path().join("soft.toml"), card).expect("writable");
+    let asked = ["--strength", "soft.toml"];
+    let page = page(directory.path(), &asked);
+    let score = good(
+        directory.path(),
+        &[&["score", "out/run.mcap", "--json"], &asked[..]].concat(),
+    );
+    let score: Value = serde_json::from_str(&score.output).expect("JSON");
+    let share = score["broken"]["share"].as_f64().expect("a share");
+    assert!(share > 0.01 && share < 0.99, "{share}");
+    assert!(page.contains(&format!("{} %", number(100.0 * share))));
+    let walls = score["by_wall"].as_array().expect("a list");
+    assert!(walls.len() > 1);
+    for wall in walls {
+        let name = wall["name"].as_str().expect("a name");
+        let [pellets, worst] = ["pellets", "worst_force_n"].map(|key| wall[key].as_f64());
+        let pellets = (100.0 * pellets.expect("a number")).round() / 100.0;
+        let begin = format!(
+            "<tr><td>hit by</td><td>{name}</td><td class=\"number\">{}</td>",
+            number(pellets)
+        );
+        let row = page.split(&begin).nth(1);
+        let row = row.and_then(|rest| rest.split("</tr>").next());
+        let worst = number(worst.expect("a number"));
+        assert!(row.is_some_and(|row| row.contains(&worst)), "{begin}");
+    }
+    for line in ["breaks 5 %", "breaks half"] {
+        assert!(page.contains(line), "{line}");
+    }
 }
 
 #[test]
@@ -121,6 +158,9 @@ fn a_page_that_cannot_be_written_is_refused_with_the_cure() {
         (&["--max-size", "1kB"], 2, "at least 500kB"),
         (&["--max-size", "much"], 2, "expected a size such as 8MB"),
         (&["--strength", "2 kg"], 2, "is a mass"),
+        (&["--strength", "none.toml"], 2, "none.toml: cannot be read"),
+        (&["--strength", "2 N", "--law", "energy"], 2, "give a card"),
+        (&["--law", "energy"], 2, "--strength <LOAD|CARD>"),
     ] {
         let call = call(
             directory.path(),

@@ -86,7 +86,7 @@ fn shares() -> impl Iterator<Item = f64> {
 #[test]
 fn fifty_of_fifty_killed_runs_open_and_go_on_to_the_same_bits() {
     let directory = hopper();
-    let (expected, took) = unbroken(directory.path());
+    let (expected, mut took) = unbroken(directory.path());
     let mut killed = 0;
     let mut taken_up = 0;
     let mut shares = shares();
@@ -94,15 +94,20 @@ fn fifty_of_fifty_killed_runs_open_and_go_on_to_the_same_bits() {
         if killed >= 50 {
             break;
         }
-        assert!(index < 60, "runs end before they are killed");
+        assert!(index < 150, "runs end before they are killed");
         let output = format!("out{index}");
         let folder = directory.path().join(&output);
         // Killed up to three times, each time at another moment of what may be left.
-        for _ in 0..3 {
+        for attempt in 0..3 {
+            let began = Instant::now();
             let mut child = start(directory.path(), &arguments(&output, &["--resume"]));
             let share = shares.next().expect("there is no end of them");
             thread::sleep(took.mul_f64(share));
             if child.try_wait().expect("it is ours").is_some() {
+                if attempt == 0 {
+                    // The machine was slower when the unbroken one ran.
+                    took = took.min(began.elapsed());
+                }
                 break;
             }
             child.kill().expect("it runs");

@@ -25,3 +25,24 @@ pub fn number(value: f64) -> String {
     let decimals = 3 - magnitude.log10().floor() as i32;
     format!("{value:.*}", usize::try_from(decimals).unwrap_or(0))
 }
+
+/// A number that somebody chose, as it was written: four significant digits at most.
+pub fn chosen(value: f64) -> String {
+    let text = number(value);
+    if text.contains('e') || !text.contains('.') {
+        return text;
+    }
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// Share below which no distribution can be believed [-].
+pub const LEAST_SHARE: f64 = 1.0e-6;
+
+/// A share in percent: what is next to nothing is no number [-].
+pub fn percent(share: f64) -> String {
+    if share > 0.0 && share < LEAST_SHARE {
+        format!("< {} %", chosen(100.0 * LEAST_SHARE))
+    } else {
+        format!("{} %", number(100.0 * share))
+    }
+}

@@ -54,7 +54,7 @@ pub use inspect::{AttachmentInspection, ChannelInspection, Inspection, inspect};
 pub use live::{LIVE_ADDRESS, Live, LiveError};
 pub use plot::{Axis, Chart, ChartError, Drawing, Scale, Series, SeriesStyle};
 pub use profile::{PhaseCost, Profile};
-pub use report::{Report, ReportCheck, ReportRequest, report};
+pub use report::{Report, ReportCheck, ReportError, ReportRequest, ReportStrength, report};
 pub use run::{Progress, RunRequest, run};
 pub use safe_setting::{SafeSetting, SafeSettingError, SafeSettingRequest, safe_setting};
 pub use summary::{

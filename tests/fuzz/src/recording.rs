@@ -3,8 +3,8 @@
 use crate::file::folder;
 use pelletflow_impact::{Scatter, Strength, StrengthLaw};
 use pelletflow_log::{
-    BreakageRequest, ExportFormat, ReportRequest, TableKind, breakage, export, inspect,
-    read_attachment, read_frames, read_hits, read_tables, report,
+    BreakageRequest, ExportFormat, ReportRequest, ReportStrength, TableKind, breakage, export,
+    inspect, read_attachment, read_frames, read_hits, read_tables, report,
 };
 use std::fs;
 use std::path::Path;
@@ -22,7 +22,10 @@ pub(crate) fn read(bytes: &[u8]) -> bool {
     let reported = report(&ReportRequest {
         recording: &recording,
         most_bytes: PAGE,
-        strength: Some(STRENGTH),
+        strength: Some(ReportStrength {
+            request: request(),
+            told: "a load",
+        }),
         materials: &[],
         checks: &[],
     });
@@ -53,16 +56,19 @@ pub(crate) fn read(bytes: &[u8]) -> bool {
         && are_tables
 }
 
-fn score(recording: &Path) -> bool {
+fn request() -> BreakageRequest {
     let law = StrengthLaw::Load(Strength {
         scatter: Scatter::Fixed(STRENGTH),
         test_diameter: None,
         sample_size: None,
     });
-    let request = BreakageRequest {
+    BreakageRequest {
         law,
         yield_pressure: Some(6.0e7),
         places: 5,
-    };
-    read_hits(recording).is_ok_and(|hits| breakage(&hits, &request).is_ok())
+    }
+}
+
+fn score(recording: &Path) -> bool {
+    read_hits(recording).is_ok_and(|hits| breakage(&hits, &request()).is_ok())
 }

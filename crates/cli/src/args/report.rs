@@ -1,6 +1,6 @@
 //! Arguments of `pelletflow report`.
 
-use super::quantity::force;
+use super::score::{LawName, StrengthArgument, strength};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -19,6 +19,7 @@ Where a recording is too large for a page, it shows fewer frames, then fewer pel
 Examples:
   pelletflow report out/hopper/run.mcap                      write out/hopper/report.html
   pelletflow report out/hopper/run.mcap -o hopper.html --strength 80N   show which hits break pellets
+  pelletflow report out/chute/run.mcap --strength works-a.toml   by a card: where pellets may break, and how likely
   pelletflow report out/plant/run.mcap --max-size 40MB       more frames, more pellets")]
 pub(crate) struct ReportArguments {
     /// Recording.
@@ -26,9 +27,12 @@ pub(crate) struct ReportArguments {
     /// Page to write [default: report.html beside the recording].
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
-    /// A load that breaks every pellet, such as 2.45kN.
-    #[arg(long, value_name = "LOAD", value_parser = force, allow_hyphen_values = true)]
-    pub(crate) strength: Option<f64>,
+    /// A load that breaks every pellet, such as 2.45kN, or a strength card [default: the load of the scene's [strength]].
+    #[arg(long, value_name = "LOAD|CARD", value_parser = strength, allow_hyphen_values = true)]
+    pub(crate) strength: Option<StrengthArgument>,
+    /// What breaks a pellet, where a card tells both.
+    #[arg(long, value_name = "LAW", value_enum, default_value_t = LawName::Load, requires = "strength")]
+    pub(crate) law: LawName,
     /// Size of the page at most, such as 8MB.
     #[arg(long, value_name = "SIZE", value_parser = size, default_value = USUAL_SIZE)]
     pub(crate) max_size: usize,

@@ -4,6 +4,9 @@ use super::quantity::force;
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 
+/// Places told unless asked otherwise [-].
+pub(crate) const USUAL_PLACES: usize = 10;
+
 #[derive(Debug, Args)]
 #[command(after_help = "\
 The recorded hits are held against a strength; nothing is simulated again. Change the strength and score again.
@@ -28,7 +31,7 @@ pub(crate) struct ScoreArguments {
     #[arg(
         long,
         value_name = "N",
-        default_value_t = 10,
+        default_value_t = USUAL_PLACES,
         allow_negative_numbers = true
     )]
     pub(crate) places: usize,
@@ -56,7 +59,7 @@ pub(crate) enum LawName {
 }
 
 /// What begins as a number is a load, all else a card.
-fn strength(text: &str) -> Result<StrengthArgument, String> {
+pub(super) fn strength(text: &str) -> Result<StrengthArgument, String> {
     let is_number = text.starts_with(|first: char| first.is_ascii_digit() || "+-.".contains(first));
     let is_file = Path::new(text)
         .extension()

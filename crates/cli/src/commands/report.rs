@@ -1,10 +1,12 @@
 //! `pelletflow report`.
 
 use crate::args::report::ReportArguments;
+use crate::args::score::{LawName, StrengthArgument, USUAL_PLACES};
+use crate::commands::score::Asked;
 use crate::exit::{Exit, Failure};
 use crate::table::{bytes, number};
 use crate::{file, screen};
-use pelletflow_log::{ReportCheck, ReportRequest, read_attachment, report};
+use pelletflow_log::{ReportCheck, ReportRequest, ReportStrength, read_attachment, report};
 use pelletflow_scene::Scene;
 use serde_json::Value;
 use std::fs;
@@ -25,10 +27,18 @@ pub(crate) fn write_report(arguments: &ReportArguments) -> Result<Exit, Failure>
         return Err(Failure::new(Exit::BadInput, message));
     }
     let known = Known::beside(&arguments.recording);
+    let strength = match (&arguments.strength, known.strength) {
+        (Some(strength), _) => Some(Asked::new(strength, arguments.law)?),
+        (None, Some(load)) => Some(Asked::new(&StrengthArgument::Load(load), LawName::Load)?),
+        (None, None) => None,
+    };
     let report = report(&ReportRequest {
         recording: &arguments.recording,
         most_bytes: arguments.max_size,
-        strength: arguments.strength.or(known.strength),
+        strength: strength.as_ref().map(|asked| ReportStrength {
+            request: asked.request(USUAL_PLACES),
+            told: &asked.told,
+        }),
         materials: &known.materials,
         checks: &known.checks,
     })?;

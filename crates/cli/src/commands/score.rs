@@ -16,11 +16,7 @@ use serde_json::json;
 pub(crate) fn score_hits(arguments: &ScoreArguments) -> Result<Exit, Failure> {
     let asked = Asked::new(&arguments.strength, arguments.law)?;
     let recorded = read_hits(&arguments.recording)?;
-    let request = BreakageRequest {
-        law: asked.law,
-        yield_pressure: asked.yield_pressure,
-        places: arguments.places,
-    };
+    let request = asked.request(arguments.places);
     let breakage = breakage(&recorded, &request).map_err(|error| bad_input(error.to_string()))?;
     if arguments.json {
         let mut answer = json!(breakage);
@@ -41,6 +37,15 @@ pub(crate) struct Asked {
 }
 
 impl Asked {
+    /// What is asked of hits, of which so many places are told [-].
+    pub(crate) fn request(&self, places: usize) -> BreakageRequest {
+        BreakageRequest {
+            law: self.law,
+            yield_pressure: self.yield_pressure,
+            places,
+        }
+    }
+
     pub(crate) fn new(strength: &StrengthArgument, law: LawName) -> Result<Self, Failure> {
         match (strength, law) {
             (StrengthArgument::Load(_), LawName::Energy) => {

@@ -108,6 +108,14 @@ pub fn breakage(
     recorded: &RecordedHits,
     request: &BreakageRequest,
 ) -> Result<Breakage, ImpactError> {
+    scored(recorded, request).map(|(breakage, _)| breakage)
+}
+
+/// The same, and how many pellets each of the recorded hits breaks [-]: at most two.
+pub(crate) fn scored(
+    recorded: &RecordedHits,
+    request: &BreakageRequest,
+) -> Result<(Breakage, Vec<f64>), ImpactError> {
     let law = &request.law;
     let mut scorer = Scorer::new(law)?;
     let mut blows = Blows::new(recorded);
@@ -127,7 +135,11 @@ pub fn breakage(
     };
     let groups = Groups::new(&blows, told, force, request.places);
     let share = |score: &Score| Share::of(score.broken(), recorded.pellets);
-    Ok(Breakage {
+    let mut broken_by = vec![0.0; recorded.hits.len()];
+    for (&hit, chance) in blows.hits.iter().zip(&told.chances) {
+        broken_by[hit as usize] += chance.best;
+    }
+    let breakage = Breakage {
         pellets: recorded.pellets,
         hits: recorded.classes.values().map(|class| class.count).sum(),
         hits_recorded: recorded.hits.len() as u64,
@@ -146,7 +158,8 @@ pub fn breakage(
         by_size: groups.by_size,
         by_place: groups.by_place,
         cube_side_m: groups.cube_side,
-    })
+    };
+    Ok((breakage, broken_by))
 }
 
 /// Confidence of the intervals that a law's sample leaves [-].

@@ -1,4 +1,4 @@
-//! What a report tells of hits: how many of which force, the hardest, and where pellets break.
+//! What a report tells of hits: how many of which force, and the hardest.
 
 use crate::plot::{Axis, Chart, Series, SeriesStyle};
 use crate::worst_hits::WorstHits;
@@ -12,7 +12,7 @@ const JOINED_CLASSES: i32 = 4;
 /// Walls with a line of their own in the histogram [-]; the rest are told together.
 const LINES: usize = 5;
 
-/// Hits of a recording, of which a number is kept that does not grow with the run, and one of each pellet that breaks.
+/// Hits of a recording, of which a number is kept that does not grow with the run.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct HitFindings {
     /// Names of the walls, by index; none where hits were not followed.
@@ -23,80 +23,31 @@ pub(super) struct HitFindings {
     pub(super) worst: WorstHits,
     /// The sketch of all hits.
     pub(super) classes: BTreeMap<HitClassKey, HitClass>,
-    /// Force that breaks a pellet [N].
-    strength: Option<f64>,
-    /// First hit of each pellet that breaks it.
-    breaking: BTreeMap<u32, Hit>,
 }
 
 /// What the hits on one wall, or of pellets on each other, came to.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct PartnerRow {
     pub(super) name: String,
+    /// Index of the wall; none of pellets.
+    pub(super) wall: Option<usize>,
     /// How many [-].
     pub(super) count: u64,
     /// The greatest force, by its class from below [N].
     pub(super) force: f64,
     /// Energy taken from motion [J].
     pub(super) lost_energy: f64,
-    /// Pellets that break here first [-].
-    pub(super) broken: usize,
 }
 
 impl HitFindings {
-    /// Where a force breaks a pellet [N], hits are held against it.
-    pub(super) fn new(strength: Option<f64>) -> Self {
+    /// Of no hit yet.
+    pub(super) fn new() -> Self {
         Self {
             walls: None,
             is_softened: false,
             worst: WorstHits::new(MAPPED),
             classes: BTreeMap::new(),
-            strength,
-            breaking: BTreeMap::new(),
         }
-    }
-
-    /// Takes a hit.
-    pub(super) fn take(&mut self, hit: &Hit) {
-        self.worst.enter(hit);
-        let Some(strength) = self.strength else {
-            return;
-        };
-        // As a score of breakage believes: of a softened run the force at true stiffness.
-        let force = if self.is_softened {
-            hit.true_force()
-        } else {
-            hit.peak_force
-        };
-        // A force that is no number breaks nothing.
-        if force.is_nan() || force < strength {
-            return;
-        }
-        let partner = match hit.partner {
-            HitPartner::Pellet { id, .. } => Some(id),
-            HitPartner::Wall(_) => None,
-        };
-        for pellet in std::iter::once(hit.pellet).chain(partner) {
-            let first = self.breaking.entry(pellet).or_insert(*hit);
-            if hit.peak_time < first.peak_time {
-                *first = *hit;
-            }
-        }
-    }
-
-    /// Force that breaks a pellet [N].
-    pub(super) fn strength(&self) -> Option<f64> {
-        self.strength
-    }
-
-    /// Pellets that break [-].
-    pub(super) fn broken(&self) -> usize {
-        self.breaking.len()
-    }
-
-    /// Hits that break a pellet for the first time, at most as many as are mapped.
-    pub(super) fn breaking(&self) -> impl Iterator<Item = &Hit> {
-        self.breaking.values().take(MAPPED)
     }
 
     /// Name of what a pellet met.
@@ -122,31 +73,22 @@ impl HitFindings {
         for (key, class) in &self.classes {
             let row = rows.entry(key.wall).or_insert_with(|| PartnerRow {
                 name: self.name(key.wall),
+                wall: key.wall,
                 count: 0,
                 force: 0.0,
                 lost_energy: 0.0,
-                broken: 0,
             });
             row.count += class.count;
             row.force = row.force.max(key.forces()[0]);
             row.lost_energy += class.lost_energy;
-        }
-        for hit in self.breaking.values() {
-            let wall = match hit.partner {
-                HitPartner::Wall(wall) => Some(wall),
-                HitPartner::Pellet { .. } => None,
-            };
-            if let Some(row) = rows.get_mut(&wall) {
-                row.broken += 1;
-            }
         }
         let mut rows: Vec<_> = rows.into_values().collect();
         rows.sort_by(|one, other| other.force.total_cmp(&one.force));
         rows
     }
 
-    /// How many hits reached which force, as steps; none where there are none.
-    pub(super) fn histogram(&self) -> Option<Chart> {
+    /// How many hits reached which force, as steps, beside named loads [N]; none where there are none.
+    pub(super) fn histogram(&self, loads: Vec<(String, f64)>) -> Option<Chart> {
         let mut totals: BTreeMap<Option<usize>, u64> = BTreeMap::new();
         for (key, class) in &self.classes {
             *totals.entry(key.wall).or_default() += class.count;
@@ -173,13 +115,11 @@ impl HitFindings {
         if most == 0.0 {
             return None;
         }
-        if let Some(strength) = self.strength {
-            series.push(Series {
-                label: "breaks a pellet".into(),
-                points: vec![[strength, 0.5], [strength, most]],
-                style: SeriesStyle::Dashed,
-            });
-        }
+        series.extend(loads.into_iter().map(|(label, load)| Series {
+            label,
+            points: vec![[load, 0.5], [load, most]],
+            style: SeriesStyle::Dashed,
+        }));
         Some(Chart {
             title: String::new(),
             x: Axis::logarithmic("greatest force of a hit [N]"),
@@ -227,52 +167,3 @@ impl HitFindings {
 
 /// Hits below this force are not drawn [N]: grazes that bend nothing.
 const LEAST_FORCE: f64 = 1.0e-3;
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use pelletflow_core::Vec3;
-    use pelletflow_sim::Cause;
-
-    fn arrival(peak_force: f64, arrival_force: f64) -> Hit {
-        Hit {
-            pellet: 3,
-            diameter: 0.012,
-            mass: 0.003,
-            partner: HitPartner::Wall(0),
-            cause: Cause::Drop,
-            is_open: false,
-            begin: 0.0,
-            duration: 1.0e-4,
-            steps: 30,
-            peak_time: 5.0e-5,
-            place: Vec3::zeros(),
-            peak_force,
-            sampled_force: peak_force,
-            arrival_force,
-            arrival_pressure: 1.0e7,
-            peak_pressure: 1.0e7,
-            normal_impulse: 0.01,
-            tangential_impulse: 0.0,
-            lost_energy: 0.0,
-            approach_speed: 3.0,
-            sliding_speed: 0.0,
-            effective_radius: 0.006,
-        }
-    }
-
-    #[test]
-    fn a_pellet_breaks_by_the_force_of_the_run_unless_that_was_softened() {
-        for (is_softened, hit, broken) in [
-            (false, arrival(120.0, 90.0), 1),
-            (false, arrival(90.0, 120.0), 0),
-            (true, arrival(90.0, 120.0), 1),
-            (true, arrival(120.0, 90.0), 0),
-        ] {
-            let mut findings = HitFindings::new(Some(100.0));
-            findings.is_softened = is_softened;
-            findings.take(&hit);
-            assert_eq!(findings.broken(), broken, "{is_softened}, {hit:?}");
-        }
-    }
-}

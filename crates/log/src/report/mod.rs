@@ -1,8 +1,10 @@
 //! A recording as one page that opens in any browser, without a network: what was run, plots, and a replay in space.
 //!
-//! The recording is read in one pass.
-//! Memory is bounded by the size of the page: what does not fit is thinned on the way, and the page says so.
+//! The recording is read in one pass, and where pellets may break its hits in a second one.
+//! But for those hits, memory is bounded by the size of the page: what does not fit is thinned on the way, and the page
+//! says so.
 
+mod broken;
 mod charts;
 mod curve;
 mod frames;
@@ -13,8 +15,11 @@ mod pass;
 mod replay;
 mod tracks;
 
+use crate::breakage::BreakageRequest;
 use crate::error::ReadError;
+use broken::Broken;
 use pass::Gathered;
+use pelletflow_impact::ImpactError;
 use replay::Replay;
 use std::path::Path;
 
@@ -30,12 +35,32 @@ pub struct ReportRequest<'a> {
     pub recording: &'a Path,
     /// Size of the page at most [B].
     pub most_bytes: usize,
-    /// Force that breaks a pellet, held against the hits [N].
-    pub strength: Option<f64>,
+    /// What breaks a pellet, held against the hits.
+    pub strength: Option<ReportStrength<'a>>,
     /// Materials, as a name and what is known of each.
     pub materials: &'a [(String, String)],
     /// What a right run shows, and what this one did.
     pub checks: &'a [ReportCheck],
+}
+
+/// What breaks a pellet.
+#[derive(Debug, Clone, Copy)]
+pub struct ReportStrength<'a> {
+    /// What is asked of the hits.
+    pub request: BreakageRequest,
+    /// The strength in words.
+    pub told: &'a str,
+}
+
+/// A report that cannot be made.
+#[derive(Debug, thiserror::Error)]
+pub enum ReportError {
+    /// The recording cannot be read, is none of ours, or is damaged.
+    #[error(transparent)]
+    Read(#[from] ReadError),
+    /// The strength or a recorded hit is outside its bounds.
+    #[error(transparent)]
+    Strength(#[from] ImpactError),
 }
 
 /// Something that a right run shows.
@@ -63,15 +88,23 @@ pub struct Report {
 /// Makes a page of a recording; of one that is cut off, of what is before the cut.
 ///
 /// # Errors
-/// The recording cannot be read, is none of ours, or is damaged.
-pub fn report(request: &ReportRequest) -> Result<Report, ReadError> {
+/// The recording cannot be read, is none of ours, or is damaged, or a quantity of the strength is outside its bounds.
+pub fn report(request: &ReportRequest) -> Result<Report, ReportError> {
     let capacity = request.most_bytes / FEWEST_BYTES;
-    let mut gathered = Gathered::read(request.recording, capacity, request.strength)?;
-    let mut omissions = gathered.omissions();
+    let mut gathered = Gathered::read(request.recording, capacity)?;
+    // A run that did not follow hits has none to hold against a strength, and the page says so.
+    let followed = gathered.hits.walls.is_some();
+    let strength = request.strength.as_ref().filter(|_| followed);
+    let broken = strength
+        .map(|strength| Broken::read(request.recording, strength))
+        .transpose()?;
+    let broken = broken.as_ref();
+    let mut omissions = Vec::from_iter(gathered.omission());
+    omissions.extend(broken.and_then(Broken::omission));
     let is_drawn = drawn_walls(&gathered, request.most_bytes, &mut omissions);
-    let fixed = page::Fixed::of(&gathered, request);
+    let fixed = page::Fixed::of(&gathered, broken, request);
     loop {
-        let replay = Replay::pack(&gathered, &is_drawn);
+        let replay = Replay::pack(&gathered, broken, &is_drawn);
         let mut omissions = omissions.clone();
         omissions.extend(gathered.frames.omissions());
         let html = fixed.page(&replay, &omissions);

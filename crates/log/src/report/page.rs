@@ -1,5 +1,6 @@
 //! The page: its sections, and the template that holds them.
 
+use super::broken::Broken;
 use super::hits::HitFindings;
 use super::html::{facts, filled, json, put, section, table};
 use super::pass::Gathered;
@@ -27,14 +28,18 @@ pub(super) struct Fixed {
     title: String,
     notices: Vec<String>,
     figures: String,
-    /// Which hits the replay marks.
-    marks: &'static str,
+    /// Which hits the replay marks, and whether it does so at first.
+    marks: [&'static str; 2],
     before: String,
     after: String,
 }
 
 impl Fixed {
-    pub(super) fn of(gathered: &Gathered, request: &ReportRequest) -> Self {
+    pub(super) fn of(
+        gathered: &Gathered,
+        broken: Option<&Broken>,
+        request: &ReportRequest,
+    ) -> Self {
         let fact = |key: &str| gathered.facts.get(key).map_or("", String::as_str);
         let title = match fact("title") {
             "" => fact("scene"),
@@ -50,14 +55,17 @@ impl Fixed {
         Self {
             title: title.to_owned(),
             notices,
-            figures: key_figures(gathered),
-            marks: match gathered.hits.strength() {
-                Some(_) => "where pellets break",
-                None => "hardest hits on walls",
+            figures: key_figures(gathered, broken),
+            marks: match broken {
+                Some(_) => [
+                    "where pellets may break, the larger the likelier",
+                    " checked",
+                ],
+                None => ["hardest hits on walls", ""],
             },
             before: plots(gathered),
             after: [
-                hits(&gathered.hits),
+                hits(&gathered.hits, broken),
                 events(gathered),
                 run(gathered, request),
             ]
@@ -87,7 +95,8 @@ impl Fixed {
                 ("notices", &notices),
                 ("figures", &self.figures),
                 ("shown", &escaped(&shown)),
-                ("marks", self.marks),
+                ("marks", self.marks[0]),
+                ("marked", self.marks[1]),
                 ("before", &self.before),
                 ("after", &self.after),
                 ("header", &json(&replay.header)),
@@ -99,7 +108,7 @@ impl Fixed {
 }
 
 /// The run in a few numbers.
-fn key_figures(gathered: &Gathered) -> String {
+fn key_figures(gathered: &Gathered, broken: Option<&Broken>) -> String {
     let last = |topic: &str, name: &str| {
         let curves = gathered.curves.get(topic)?;
         let (_, curve) = curves.iter().find(|(found, _)| found == name)?;
@@ -127,12 +136,7 @@ fn key_figures(gathered: &Gathered) -> String {
             "hardest hit".to_owned(),
         ));
     }
-    if let Some(strength) = gathered.hits.strength() {
-        figures.push((
-            count(gathered.hits.broken() as u64),
-            format!("pellets break at {} N", number(strength)),
-        ));
-    }
+    figures.extend(broken.map(Broken::key_figure));
     let mut html = String::new();
     for (value, name) in figures {
         let (value, name) = (escaped(&value), escaped(&name));
@@ -165,7 +169,7 @@ fn plots(gathered: &Gathered) -> String {
     html
 }
 
-fn hits(findings: &HitFindings) -> String {
+fn hits(findings: &HitFindings, broken: Option<&Broken>) -> String {
     if findings.walls.is_none() {
         let body =
             "<p>The run did not follow hits: <code>output.hits</code> is false in its scene.</p>";
@@ -175,16 +179,18 @@ fn hits(findings: &HitFindings) -> String {
     if findings.is_softened {
         body.push_str("<p class=\"notice\">Some material was softer in the run than it really is: look at the true forces.</p>");
     }
-    if let Some(chart) = findings.histogram() {
+    let loads = broken.map(Broken::loads).unwrap_or_default();
+    if let Some(chart) = findings.histogram(loads) {
         put(
             &mut body,
             format_args!(
                 "<div class=\"charts\">{}<div>{}</div></div>",
                 charts::figure("Hits by their greatest force", chart, None),
-                by_partner(findings),
+                by_partner(findings, broken),
             ),
         );
     }
+    body.extend(broken.map(Broken::html));
     if findings.worst.as_slice().is_empty() {
         body.push_str("<p>No pellet was hit.</p>");
     } else {
@@ -194,7 +200,7 @@ fn hits(findings: &HitFindings) -> String {
     section("hits", "Hits", &body)
 }
 
-fn by_partner(findings: &HitFindings) -> String {
+fn by_partner(findings: &HitFindings, broken: Option<&Broken>) -> String {
     let rows: Vec<Vec<String>> = findings
         .by_partner()
         .into_iter()
@@ -205,14 +211,12 @@ fn by_partner(findings: &HitFindings) -> String {
                 number(row.force),
                 number(row.lost_energy),
             ];
-            if findings.strength().is_some() {
-                cells.push(count(row.broken as u64));
-            }
+            cells.extend(broken.map(|broken| broken.by(row.wall)));
             cells
         })
         .collect();
     let mut header = vec!["by", "hits", "hardest from [N]", "energy taken [J]"];
-    if findings.strength().is_some() {
+    if broken.is_some() {
         header.push("pellets broken");
     }
     table(&header, 1, &rows)

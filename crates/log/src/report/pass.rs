@@ -1,4 +1,4 @@
-//! One pass over a recording; beside a hit of each pellet that breaks, memory does not grow with its length.
+//! One pass over a recording, in memory that does not grow with its length.
 
 use super::curve::Curve;
 use super::frames::{FrameStore, ReplayFrame};
@@ -40,15 +40,15 @@ pub(super) struct Gathered {
 }
 
 impl Gathered {
-    /// Of nothing yet; so many pellets times frames will be kept [-], and hits held against a strength [N].
-    fn of_nothing(capacity: usize, strength: Option<f64>) -> Self {
+    /// Of nothing yet; so many pellets times frames will be kept [-].
+    fn of_nothing(capacity: usize) -> Self {
         Self {
             facts: BTreeMap::new(),
             scene: None,
             frames: FrameStore::new(capacity),
             walls: Walls::default(),
             curves: BTreeMap::new(),
-            hits: HitFindings::new(strength),
+            hits: HitFindings::new(),
             events: Vec::new(),
             event_count: 0,
             end: 0.0,
@@ -57,15 +57,11 @@ impl Gathered {
     }
 
     /// Reads a recording; of its frames so many pellets times frames are kept [-].
-    pub(super) fn read(
-        path: &Path,
-        capacity: usize,
-        strength: Option<f64>,
-    ) -> Result<Self, ReadError> {
+    pub(super) fn read(path: &Path, capacity: usize) -> Result<Self, ReadError> {
         let mut records = Records::open(path)?;
         let mut provenance = Provenance::new(path);
         let mut channels = Channels::default();
-        let mut gathered = Self::of_nothing(capacity, strength);
+        let mut gathered = Self::of_nothing(capacity);
         let damaged = |reason: String| ReadError::Damaged {
             path: path.into(),
             reason,
@@ -102,25 +98,10 @@ impl Gathered {
         Ok(gathered)
     }
 
-    /// What was left out of all but the frames, in words; nothing where all is here.
-    pub(super) fn omissions(&self) -> Vec<String> {
-        let shown = |shown: usize, of: u64, what: &str| {
-            let [shown, of] = [shown as u64, of].map(crate::figures::count);
-            format!("{shown} of {of} {what}")
-        };
-        let mut omissions = Vec::new();
-        if self.events.len() as u64 != self.event_count {
-            omissions.push(shown(
-                self.events.len(),
-                self.event_count,
-                "lines of what happened, the first",
-            ));
-        }
-        let (marked, breaking) = (self.hits.breaking().count(), self.hits.broken());
-        if marked != breaking {
-            omissions.push(shown(marked, breaking as u64, "places where pellets break"));
-        }
-        omissions
+    /// How many lines of what happened were left out, in words.
+    pub(super) fn omission(&self) -> Option<String> {
+        let [shown, of] = [self.events.len() as u64, self.event_count].map(crate::figures::count);
+        (shown != of).then(|| format!("{shown} of {of} lines of what happened, the first"))
     }
 
     fn take(
@@ -154,7 +135,7 @@ impl Gathered {
             }
             "/hits" => {
                 for hit in hits::hits(&decoded(data)?)? {
-                    self.hits.take(&hit);
+                    self.hits.worst.enter(&hit);
                 }
             }
             "/hits/classes" => self.hits.classes = hits::classes(&decoded(data)?)?,
@@ -220,7 +201,7 @@ mod tests {
 
     #[test]
     fn lines_that_find_no_room_are_told() {
-        let mut gathered = Gathered::of_nothing(0, None);
+        let mut gathered = Gathered::of_nothing(0);
         let line = message(0.0, Gravity::Information, "gate").encode_to_vec();
         let header = MessageHeader {
             channel_id: 0,
@@ -232,10 +213,10 @@ mod tests {
             let taken = gathered.take("/log", &[], &header, &line);
             taken.expect("it is a line of the log");
         }
-        assert!(gathered.omissions().is_empty());
+        assert_eq!(gathered.omission(), None);
         let taken = gathered.take("/log", &[], &header, &line);
         taken.expect("it is a line of the log");
         let told = "500 of 501 lines of what happened, the first";
-        assert_eq!(gathered.omissions(), [told]);
+        assert_eq!(gathered.omission().as_deref(), Some(told));
     }
 }

@@ -1,5 +1,6 @@
 //! The replay that a page carries: one packed run of bytes, and what tells how to read it.
 
+use super::broken::Broken;
 use super::frames::ReplayFrame;
 use super::hits::HitFindings;
 use super::html::put;
@@ -29,7 +30,7 @@ pub(super) struct Replay {
 
 impl Replay {
     /// Packs what was gathered; of the walls, those of `is_drawn` have their triangles.
-    pub(super) fn pack(gathered: &Gathered, is_drawn: &[bool]) -> Self {
+    pub(super) fn pack(gathered: &Gathered, broken: Option<&Broken>, is_drawn: &[bool]) -> Self {
         let frames: Vec<&ReplayFrame> = gathered.frames.frames().collect();
         let scales = Scales::of(frames.iter().copied());
         let tracks = Tracks::of(frames.iter().copied(), &scales);
@@ -60,7 +61,7 @@ impl Replay {
                 "decades": FORCE_DECADES,
                 "colors": colors(),
                 "walls": walls,
-                "hits": hits(&gathered.hits),
+                "hits": hits(&gathered.hits, broken),
             }),
             packed: STANDARD.encode(packed),
         }
@@ -114,18 +115,22 @@ fn wall(
     })
 }
 
-/// Hits that are marked: those that break a pellet where a strength is given, the hardest on walls otherwise.
-fn hits(findings: &HitFindings) -> Value {
-    let told = |hit: &Hit| {
+/// Hits that are marked: those that may break a pellet where a strength is given, the hardest on walls otherwise.
+///
+/// Each is told by its moment, its place and its weight, which the area of its mark goes by: how many pellets it breaks,
+/// or its force.
+fn hits(findings: &HitFindings, broken: Option<&Broken>) -> Value {
+    let told = |hit: &Hit, weight: f64| {
         let place = [hit.place.x, hit.place.y, hit.place.z].map(rounded);
-        json!([rounded(hit.peak_time), place, rounded(hit.peak_force)])
+        json!([rounded(hit.peak_time), place, rounded(weight)])
     };
-    if findings.strength().is_some() {
-        return findings.breaking().map(told).collect();
+    if let Some(broken) = broken {
+        let marked = broken.marked().iter();
+        return marked.map(|(hit, weight)| told(hit, *weight)).collect();
     }
     let is_on_wall = |hit: &&Hit| matches!(hit.partner, HitPartner::Wall(_));
-    let worst = findings.worst.as_slice().iter();
-    worst.filter(is_on_wall).map(told).collect()
+    let worst = findings.worst.as_slice().iter().filter(is_on_wall);
+    worst.map(|hit| told(hit, hit.peak_force)).collect()
 }
 
 /// Colors of the scale, from its first to its last, as six hexadecimal digits each.

@@ -44,8 +44,8 @@ class Scene {
     this.marks = program(gl, MARKS);
     this.rows = tableOf(8 * header.tracks);
     this.pelletTable = this.table(this.rows);
-    const strongest = header.hits.reduce((most, hit) => Math.max(most, hit[2]), 1e-9);
-    const dots = header.hits.flatMap(([, place, force]) => [...place, 2.5 + 5 * Math.sqrt(force / strongest)]);
+    const heaviest = header.hits.reduce((most, hit) => Math.max(most, hit[2]), 1e-9);
+    const dots = header.hits.flatMap(([, place, weight]) => [...place, 2.5 + 5 * Math.sqrt(weight / heaviest)]);
     this.hitTable = this.table(tableOf(dots.length, dots));
     this.ring = tableOf(4);
     this.ringTable = this.table(this.ring);
