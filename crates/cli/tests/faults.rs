@@ -7,11 +7,14 @@ mod common;
 use common::{Call, call, program};
 use serde_json::Value;
 use std::collections::BTreeSet;
+use std::env;
 use std::fs;
 use std::io::Read;
 use std::os::unix::fs::PermissionsExt;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
+use std::thread;
+use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
 fn hopper() -> TempDir {
@@ -42,11 +45,14 @@ fn in_shell(directory: &Path, before: &str, arguments: &str) -> Call {
     }
 }
 
-fn state_hash(directory: &Path, output: &str) -> Value {
+fn summary(directory: &Path, output: &str) -> Value {
     let path = directory.join(output).join("summary.json");
     let text = fs::read_to_string(path).expect("a run that is over has a summary");
-    let summary: Value = serde_json::from_str(&text).expect("it is JSON");
-    summary["state_hash"].clone()
+    serde_json::from_str(&text).expect("it is JSON")
+}
+
+fn state_hash(directory: &Path, output: &str) -> Value {
+    summary(directory, output)["state_hash"].clone()
 }
 
 #[test]
@@ -158,4 +164,65 @@ fn a_run_that_gets_no_more_memory_goes_on_where_there_is_some() {
         );
     }
     assert!(codes.len() > 1, "the limits did nothing: {codes:?}");
+}
+
+/// Moments that a clock is set to while a run goes on: years back and ahead, and standing still.
+const SET_TO: [&str; 4] = ["-10y", "+10y", "1970-01-02 00:00:00", "-1d"];
+
+#[test]
+#[ignore = "needs libfaketime, whose path LIBFAKETIME tells; `cargo xtask check` runs it where there is one"]
+fn a_clock_that_is_set_while_a_run_goes_on_changes_nothing() {
+    let library = env::var_os("LIBFAKETIME").expect("the path of libfaketimeMT.so.1");
+    let directory = hopper();
+    let clock = directory.path().join("clock");
+    let set = |moment: &str| {
+        let new = directory.path().join("clock.new");
+        fs::write(&new, moment).expect("writable");
+        fs::rename(&new, &clock).expect("writable");
+    };
+    // As on a machine: the clock that never goes back is not set with the other one.
+    let under_that_clock = |command: &mut Command| {
+        command
+            .env("LD_PRELOAD", &library)
+            .env("FAKETIME_TIMESTAMP_FILE", &clock)
+            .env("FAKETIME_NO_CACHE", "1")
+            .env("FAKETIME_DONT_FAKE_MONOTONIC", "1");
+    };
+    set("1970-01-02 00:00:00");
+    let mut date = Command::new("date");
+    under_that_clock(date.args(["-u", "+%Y"]));
+    let year = date.output().expect("there is a clock").stdout;
+    assert_eq!(String::from_utf8_lossy(&year).trim(), "1970");
+
+    let settings = ["fill.bed.count=200", "output.checkpoint_interval=0.02"];
+    let arguments = |output| {
+        let sets = settings.iter().flat_map(|setting| ["--set", setting]);
+        let run = ["run", "hopper.toml", "--quiet", "-o", output];
+        run.into_iter().chain(sets).collect::<Vec<_>>()
+    };
+    let whole = call(directory.path(), &arguments("whole"));
+    assert_eq!(whole.code, 0, "{}", whole.error);
+    let mut command = program(directory.path());
+    under_that_clock(command.args(arguments("out")));
+    let began = Instant::now();
+    let mut run = command.spawn().expect("the program starts");
+    let mut moments = 0;
+    let status = loop {
+        set(SET_TO[moments % SET_TO.len()]);
+        moments += 1;
+        thread::sleep(Duration::from_millis(10));
+        if let Some(status) = run.try_wait().expect("it is ours") {
+            break status;
+        }
+    };
+    let took = began.elapsed();
+    assert_eq!(status.code(), Some(0));
+    assert!(moments > 5, "it ended before the clock was set");
+    let [found, expected] = ["out", "whole"].map(|output| summary(directory.path(), output));
+    for key in ["state_hash", "hits", "meters", "energy"] {
+        assert_eq!(found[key], expected[key], "{key}");
+    }
+    let told = found["time"]["wall_s"].as_f64();
+    let told = told.expect("it tells how long it took");
+    assert!(told > 0.0 && told < took.as_secs_f64(), "{told} {took:?}");
 }

@@ -39,6 +39,7 @@ pub(crate) fn run(report: &mut Report) -> Result<()> {
     })?;
     report.part("documentation", documentation::check)?;
     report.part("Rust tests", test::rust_tests)?;
+    report.part("clock", test::clock)?;
     test::wheel_and_recordings(report, &venv)?;
     report.part("Python types", || {
         process::run(mypy(&venv).args(["--package", "pelletflow"]))?;

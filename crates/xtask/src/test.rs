@@ -44,6 +44,27 @@ pub(crate) fn rust_tests() -> Result<String> {
     Ok(format!("{passed} passed"))
 }
 
+/// Runs a simulation under a clock that is set meanwhile, which takes a library that no registry of ours holds.
+pub(crate) fn clock() -> Result<String> {
+    let Some(library) = fake_clock() else {
+        return Ok("not checked, libfaketime is not installed".to_owned());
+    };
+    process::run(
+        cargo()
+            .args(["test", "--workspace", "--exclude", "pelletflow-py"])
+            .args(["--test", "faults", "--", "--ignored", "clock"])
+            .env("LIBFAKETIME", library),
+    )?;
+    Ok("passed".to_owned())
+}
+
+/// Where Debian's packages put libfaketime: a folder for each kind of machine.
+fn fake_clock() -> Option<PathBuf> {
+    let folders = fs::read_dir("/usr/lib").ok()?.flatten();
+    let mut libraries = folders.map(|folder| folder.path().join("faketime/libfaketimeMT.so.1"));
+    libraries.find(|library| library.exists())
+}
+
 fn python_tests(venv: &Venv) -> Result<String> {
     let mut passed = 0;
     process::run_watched(
