@@ -8,7 +8,7 @@ use crate::recording::{Entry, Recorder, RecordingTimes, Stopped};
 use crate::run::Progress;
 use crate::summary::Ended;
 use mcap::{McapError, McapResult};
-use pelletflow_sim::{RunPlan, Simulation, StepError};
+use pelletflow_sim::{Hit, RunPlan, Simulation, StepError};
 use std::fs::File;
 use std::io::{self, BufWriter};
 use std::ops::ControlFlow;
@@ -18,6 +18,9 @@ use std::time::{Duration, Instant};
 const OBSERVER_INTERVAL: Duration = Duration::from_millis(20);
 /// Time by the wall clock after which a chunk ends even if it is small: what a killed run loses.
 const FLUSH_INTERVAL: Duration = Duration::from_secs(2);
+/// The same of a long run, over the time that it took so far [-]: the writer remembers every chunk until the file ends,
+/// and those of a week are so no more than 8000.
+const FLUSH_SHARE: u32 = 1000;
 
 /// Hits at which their sketch is recorded again, over those in the last [-].
 const SKETCH_GROWTH: f64 = 1.1;
@@ -126,7 +129,8 @@ impl<'scope> Course<'scope> {
         if self.logbook.last_frame.is_none() {
             self.begin(simulation)?;
         }
-        let (mut last_flush, mut last_look) = (Instant::now(), Instant::now());
+        let began = Instant::now();
+        let (mut last_flush, mut last_look) = (began, began);
         let mut is_interrupted = false;
         loop {
             if let Some(ended) = end_of(simulation, plan) {
@@ -154,7 +158,7 @@ impl<'scope> Course<'scope> {
                 self.draw(simulation)?;
             }
             let now = Instant::now();
-            if now - last_flush >= FLUSH_INTERVAL {
+            if now - last_flush >= FLUSH_INTERVAL.max((now - began) / FLUSH_SHARE) {
                 self.recorder.put(Entry::Flush)?;
                 last_flush = now;
             }
@@ -276,9 +280,7 @@ impl<'scope> Course<'scope> {
             return Ok(());
         }
         let time = simulation.time();
-        for hit in &hits {
-            self.logbook.worst_hits.enter(hit);
-        }
+        self.mark_worst(time, &hits)?;
         self.recorder.put(Entry::Hits { time, hits })?;
         let ledger = &simulation.state().hits;
         let count = ledger.total().count;
@@ -290,7 +292,7 @@ impl<'scope> Course<'scope> {
         Ok(())
     }
 
-    /// Records the last hits, those still open too, the sketch of all, and the hardest.
+    /// Records the last hits, those still open too, and the sketch of all.
     fn tell_last_hits(&mut self, simulation: &mut Simulation) -> Result<(), Stopped> {
         if simulation.model().setup().hits.is_none() {
             return Ok(());
@@ -299,19 +301,32 @@ impl<'scope> Course<'scope> {
         let time = simulation.time();
         let all = simulation.hits_with_open();
         let hits = all.rows().to_vec();
-        for hit in &hits {
-            self.logbook.worst_hits.enter(hit);
-        }
+        self.mark_worst(time, &hits)?;
         self.recorder.put(Entry::Hits { time, hits })?;
         let classes = all.classes().clone();
-        self.recorder.put(Entry::HitClasses { time, classes })?;
-        let mut worst: Vec<_> = self.logbook.worst_hits.as_slice().iter().zip(1..).collect();
-        // A topic never goes back in time.
-        worst.sort_by(|one, other| one.0.peak_time.total_cmp(&other.0.peak_time));
-        for (&hit, rank) in worst {
-            self.recorder.put(Entry::WorstHit { hit, rank })?;
+        self.recorder.put(Entry::HitClasses { time, classes })
+    }
+
+    /// Records which of some new hits are among the hardest so far, and which these are now.
+    fn mark_worst(&mut self, time: f64, hits: &[Hit]) -> Result<(), Stopped> {
+        let worst = &mut self.logbook.worst_hits;
+        let mut entered: Vec<Hit> = Vec::new();
+        for hit in hits {
+            if worst.enter(hit) {
+                entered.push(*hit);
+            }
         }
-        Ok(())
+        // Some may have given way to others of these.
+        entered.retain(|hit| worst.as_slice().contains(hit));
+        if entered.is_empty() {
+            return Ok(());
+        }
+        let worst = worst.as_slice().to_vec();
+        self.recorder.put(Entry::WorstHits {
+            time,
+            entered,
+            worst,
+        })
     }
 
     /// Records the end.

@@ -2,37 +2,67 @@
 //!
 //! Without a layout these viewers hide every topic at first.
 
-use pelletflow_core::{Bounds, Vec3};
-use pelletflow_sim::MeterReading;
+use crate::message::color;
+use crate::tables::{unit_of, words_of};
+use pelletflow_core::{Bounds, Pose, Vec3};
+use pelletflow_sim::{MeterReading, Simulation};
 use serde_json::{Map, Value, json};
 
 /// Camera's way from what it looks at: to the side, and down by this angle from the zenith [deg].
 const CAMERA_ANGLE_FROM_ZENITH: f64 = 70.0;
 /// Camera's direction about the vertical [deg].
 const CAMERA_ANGLE_ABOUT_VERTICAL: f64 = 30.0;
-/// Camera's distance over the diagonal of the scene [-].
-const CAMERA_DISTANCE: f64 = 1.3;
+/// Camera's distance over the diagonal of what it looks at [-]: nearly all of a cube is seen, and a tower whole.
+const CAMERA_DISTANCE: f64 = 1.2;
 /// Vertical field of view [deg].
 const FIELD_OF_VIEW: f64 = 45.0;
+/// Share of the height of the scene's column that the log of the hardest hits has [%].
+const LOG_SHARE: f64 = 18.0;
+/// Width of a legend [px].
+const LEGEND_WIDTH: u32 = 150;
+/// The panel of what happened, as both viewers call it.
+const LOG_PANEL: &str = "RosOut!hits";
 
-/// The layout of a scene within `bounds`, where spheres are drawn of at most `spheres_up_to` pellets
-/// and `full_speed` [m/s] has the last color.
-pub(crate) fn layout(
-    bounds: &Bounds,
-    meters: &[MeterReading],
-    spheres_up_to: usize,
-    full_speed: f64,
-) -> String {
+/// What a layout is made for.
+pub(crate) struct View<'a> {
+    /// What the camera looks at [m].
+    pub(crate) bounds: &'a Bounds,
+    pub(crate) meters: &'a [MeterReading],
+    /// Whether the hardest hits are told.
+    pub(crate) has_hits: bool,
+    /// Whether pellets are drawn as spheres while there are few.
+    pub(crate) has_spheres: bool,
+    /// Whether pellets may become too many for spheres.
+    pub(crate) has_points: bool,
+    /// Speed that has the last color [m/s].
+    pub(crate) full_speed: f64,
+}
+
+/// The layout of a run.
+pub(crate) fn layout(view: &View) -> String {
     let mut panels = Map::new();
-    panels.insert(
-        "3D!scene".into(),
-        scene_panel(bounds, spheres_up_to, full_speed),
-    );
+    panels.insert("3D!scene".into(), scene_panel(view));
     let mut plots = Vec::new();
-    for plot in plots_of(meters) {
+    for plot in plots_of(view.meters) {
         let id = format!("Plot!{}", plot.name);
         panels.insert(id.clone(), plot_panel(&plot));
         plots.push(id);
+    }
+    let mut scene = json!("3D!scene");
+    if view.has_hits {
+        panels.insert(
+            LOG_PANEL.into(),
+            titled(
+                "Hardest hits so far",
+                json!({ "topicToRender": "/hits/worst/log" }),
+            ),
+        );
+        scene = json!({
+            "direction": "column",
+            "first": scene,
+            "second": LOG_PANEL,
+            "splitPercentage": 100.0 - LOG_SHARE,
+        });
     }
     let value = json!({
         "configById": panels,
@@ -41,7 +71,7 @@ pub(crate) fn layout(
         "playbackConfig": { "speed": 1.0 },
         "layout": {
             "direction": "row",
-            "first": "3D!scene",
+            "first": scene,
             "second": column(&plots),
             "splitPercentage": 68,
         },
@@ -49,10 +79,54 @@ pub(crate) fn layout(
     format!("{value:#}\n")
 }
 
-fn scene_panel(bounds: &Bounds, spheres_up_to: usize, full_speed: f64) -> Value {
-    let Bounds { min, max } = *bounds;
+/// A box about what is there when a run begins: pellets, and walls that end somewhere; all of the domain where nothing is.
+pub(crate) fn bounds_of(simulation: &Simulation) -> Bounds {
+    let setup = simulation.model().setup();
+    let domain = &setup.domain.bounds;
+    let pellets = simulation.pellets().map(|pellet| Bounds {
+        min: pellet.position.add_scalar(-pellet.radius),
+        max: pellet.position.add_scalar(pellet.radius),
+    });
+    let walls = simulation.walls().filter_map(|wall| {
+        let own = setup.walls[wall.index].shape.bounds();
+        let is_finite = (own.max - own.min).iter().all(|side| side.is_finite());
+        is_finite.then(|| placed(&own, &wall.pose).common(domain))
+    });
+    let seen = pellets
+        .chain(walls)
+        .fold(Bounds::nothing(), |seen, bounds| seen.merged(&bounds));
+    if (seen.max - seen.min).iter().all(|&side| side > 0.0) {
+        seen
+    } else {
+        *domain
+    }
+}
+
+/// The box about a box that was moved.
+fn placed(own: &Bounds, pose: &Pose) -> Bounds {
+    let corners = (0..8).map(|corner: usize| {
+        let end = |axis: usize| {
+            let end = if corner >> axis & 1 == 0 {
+                own.min
+            } else {
+                own.max
+            };
+            end[axis]
+        };
+        let corner = pose.point(Vec3::new(end(0), end(1), end(2)));
+        Bounds {
+            min: corner,
+            max: corner,
+        }
+    });
+    corners.fold(Bounds::nothing(), |whole, corner| whole.merged(&corner))
+}
+
+fn scene_panel(view: &View) -> Value {
+    let Bounds { min, max } = *view.bounds;
     let target: Vec3 = (min + max) / 2.0;
     let distance = CAMERA_DISTANCE * (max - min).norm();
+    let [slowest, fastest] = [0.0, 1.0].map(|share| color::in_words(color::on_scale(share)));
     json!({
         "followMode": "follow-none",
         "followTf": "world",
@@ -62,8 +136,9 @@ fn scene_panel(bounds: &Bounds, spheres_up_to: usize, full_speed: f64) -> Value 
             "distance": distance,
             "phi": CAMERA_ANGLE_FROM_ZENITH,
             "thetaOffset": CAMERA_ANGLE_ABOUT_VERTICAL,
-            "target": [target.x, target.y, target.z],
-            "targetOffset": [0, 0, 0],
+            // Where the camera looks is told from the frame that it follows.
+            "target": [0, 0, 0],
+            "targetOffset": [target.x, target.y, target.z],
             "targetOrientation": [0, 0, 0, 1],
             "fovy": FIELD_OF_VIEW,
             "near": distance / 1000.0,
@@ -72,28 +147,41 @@ fn scene_panel(bounds: &Bounds, spheres_up_to: usize, full_speed: f64) -> Value 
         "scene": {
             "backgroundColor": "#ffffff",
             // Axes and labels of the walls' frames are drawn far too large.
-            "transforms": { "visible": false, "showLabel": false, "axisScale": 0 },
-            "labelScaleFactor": 0,
+            "transforms": {
+                "visible": false,
+                "showLabel": false,
+                "axisScale": 0,
+                "enablePreloading": true,
+            },
+            "labelScaleFactor": 1,
         },
         "transforms": {},
         "layers": {},
         "topics": {
             "/equipment": { "visible": true },
             "/hits/worst": { "visible": true },
-            "/pellets/spheres": { "visible": spheres_up_to > 0 },
-            // Points hide inside the spheres, and stand in for them where there are too many pellets.
+            "/pellets/spheres": { "visible": view.has_spheres },
+            // Points stand in for spheres where there are too many pellets; seen from afar they would stick out of them.
             "/pellets": {
-                "visible": true,
-                "colorMode": "colormap",
+                "visible": view.has_points,
+                "colorMode": "gradient",
                 "colorField": "speed",
-                "colorMap": "turbo",
+                "gradient": [slowest, fastest],
                 "minValue": 0,
-                "maxValue": full_speed,
+                "maxValue": view.full_speed,
                 "pointShape": "circle",
                 "pointSize": 6,
             },
         },
     })
+}
+
+/// A panel with a title, in the words of both viewers.
+fn titled(title: &str, mut panel: Value) -> Value {
+    for key in ["lichtblickPanelTitle", "foxglovePanelTitle"] {
+        panel[key] = title.into();
+    }
+    panel
 }
 
 /// A panel of curves over time.
@@ -116,7 +204,7 @@ fn plots_of(meters: &[MeterReading]) -> Vec<Plot> {
     let mut plots: Vec<_> = meters.iter().map(of_meter).collect();
     plots.push(of_ledger(
         "mass",
-        "Pellets",
+        "Pellets [-]",
         &["inside", "discharged", "lost"],
     ));
     plots.push(of_ledger(
@@ -129,20 +217,19 @@ fn plots_of(meters: &[MeterReading]) -> Vec<Plot> {
 
 /// All quantities of a meter; those in the unit of the first are shown at first.
 fn of_meter(meter: &MeterReading) -> Plot {
-    let unit = |quantity: &str| quantity.rsplit('_').next().map(str::to_owned);
     let first_unit = meter
         .values
         .first()
-        .and_then(|(quantity, _)| unit(quantity));
+        .map_or("-", |(quantity, _)| unit_of(quantity));
     Plot {
         name: format!("meter-{}", meter.name),
-        title: meter.name.clone(),
+        title: format!("{} [{first_unit}]", meter.name),
         curves: meter
             .values
             .iter()
             .map(|(quantity, _)| {
                 let path = format!("/meters/{}.{quantity}", meter.name);
-                (path, unit(quantity) == first_unit)
+                (path, unit_of(quantity) == first_unit)
             })
             .collect(),
     }
@@ -153,17 +240,25 @@ fn plot_panel(plot: &Plot) -> Value {
         .curves
         .iter()
         .map(|(path, is_shown)| {
-            json!({ "value": path, "timestampMethod": "receiveTime", "enabled": is_shown })
+            let quantity = path.rsplit('.').next().unwrap_or(path);
+            json!({
+                "value": path,
+                "label": words_of(quantity),
+                "timestampMethod": "receiveTime",
+                "enabled": is_shown,
+            })
         })
         .collect();
-    json!({
-        "title": plot.title,
+    let panel = json!({
         "paths": paths,
         "showLegend": true,
-        "legendDisplay": "floating",
+        // Over the curves it would hide them.
+        "legendDisplay": "left",
+        "sidebarDimension": LEGEND_WIDTH,
         "isSynced": true,
         "xAxisVal": "timestamp",
-    })
+    });
+    titled(&plot.title, panel)
 }
 
 /// Panels one above another, each as high as the others.

@@ -4,7 +4,7 @@
 //! room there pushes the oldest out: a slow viewer misses frames, and neither slows the run nor grows it. Nobody can send
 //! anything to the run.
 
-use foxglove::websocket::{ChannelView, Client, ServerListener};
+use foxglove::websocket::{Capability, ChannelView, Client, ServerListener};
 use foxglove::{
     ChannelBuilder, Context, FoxgloveError, PartialMetadata, RawChannel, Schema, WebSocketServer,
     WebSocketServerHandle,
@@ -13,21 +13,27 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::io;
 use std::net::{SocketAddr, ToSocketAddrs};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, mpsc};
+use std::thread;
+use std::time::Duration;
 
 /// Where a run is shown when nothing else is asked for: to programs of this machine only.
 pub const LIVE_ADDRESS: &str = "127.0.0.1:8765";
 
 /// Messages that wait for a viewer at most [-]; of a frame there are some ten, of which one or two are large.
 const WAITING: usize = 64;
+/// How long the end of a run waits for viewers to hear of it.
+const FAREWELL: Duration = Duration::from_millis(500);
 
 /// A server that shows runs to viewers, until it is dropped.
 pub struct Live {
-    /// Nothing once it has been stopped.
-    server: Option<WebSocketServerHandle>,
+    server: Server,
     address: SocketAddr,
     program: Program,
 }
+
+/// A server that is at work; nothing once it has been stopped.
+type Server = Arc<Mutex<Option<WebSocketServerHandle>>>;
 
 /// A server that could not be started.
 #[derive(Debug, thiserror::Error)]
@@ -78,6 +84,7 @@ impl Live {
             .context(&context)
             .bind(host, address.port())
             .message_backlog_size(WAITING)
+            .capabilities([Capability::Time])
             .listener(Arc::clone(&latest) as Arc<dyn ServerListener>)
             .start_blocking()
             .map_err(|error| LiveError::Bind {
@@ -87,10 +94,16 @@ impl Live {
                     other => other.to_string(),
                 },
             })?;
+        let address = SocketAddr::new(address.ip(), server.port());
+        let server = Arc::new(Mutex::new(Some(server)));
         Ok(Self {
-            program: Program { context, latest },
-            address: SocketAddr::new(address.ip(), server.port()),
-            server: Some(server),
+            program: Program {
+                context,
+                latest,
+                server: Arc::clone(&server),
+            },
+            address,
+            server,
         })
     }
 
@@ -101,7 +114,7 @@ impl Live {
 
     /// Viewers that are connected [-].
     pub fn viewers(&self) -> usize {
-        self.server
+        at_work(&self.server)
             .as_ref()
             .map_or(0, WebSocketServerHandle::client_count)
     }
@@ -114,11 +127,23 @@ impl Live {
 
 impl Drop for Live {
     fn drop(&mut self) {
-        if let Some(server) = self.server.take() {
-            // Viewers are told that it ends; how long they take is theirs.
-            server.stop().detach_all();
+        if let Some(server) = at_work(&self.server).take() {
+            let stopping = server.stop();
+            let (told, all_told) = mpsc::channel();
+            thread::spawn(move || {
+                stopping.wait_blocking();
+                // Nobody may wait any more.
+                let _ = told.send(());
+            });
+            // One that hears of nothing is left alone.
+            let _ = all_told.recv_timeout(FAREWELL);
         }
     }
+}
+
+fn at_work(server: &Server) -> MutexGuard<'_, Option<WebSocketServerHandle>> {
+    // Whatever panicked has left a server or none.
+    server.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl fmt::Debug for Live {
@@ -135,6 +160,7 @@ impl fmt::Debug for Live {
 pub(crate) struct Program {
     context: Arc<Context>,
     latest: Arc<Latest>,
+    server: Server,
 }
 
 impl Program {
@@ -146,6 +172,13 @@ impl Program {
             .schema(schema.clone())
             .build_raw()
             .expect("a topic with a schema and an encoding is a channel")
+    }
+
+    /// Sets the clock of all viewers [ns]: theirs would be that of the desk.
+    pub(crate) fn set_time(&self, time: u64) {
+        if let Some(server) = at_work(&self.server).as_ref() {
+            server.broadcast_time(time);
+        }
     }
 
     /// Tells a message of a log time [ns] to whoever follows its topic, and later to whoever comes to follow it.

@@ -1,7 +1,7 @@
 //! How a recording is opened: anew, or where an earlier part of it ended.
 
 use crate::error::{FolderError, RunError};
-use crate::layout::layout;
+use crate::layout::{self, View, layout};
 use crate::live::{Live, Program};
 use crate::output::{Output, sync_directory};
 use crate::patches;
@@ -144,12 +144,15 @@ pub(crate) fn record(
 
 fn layout_of(simulation: &Simulation, request: &RunRequest) -> String {
     let model = simulation.model();
-    layout(
-        &model.setup().domain.bounds,
-        &simulation.meter_readings(),
-        request.spheres_up_to,
-        model.time_step().expected_speed,
-    )
+    let most_pellets = simulation.pellet_count() as f64 + model.fed_until(request.plan.end_time);
+    layout(&View {
+        bounds: &layout::bounds_of(simulation),
+        meters: &simulation.meter_readings(),
+        has_hits: model.setup().hits.is_some(),
+        has_spheres: request.spheres_up_to > 0,
+        has_points: most_pellets > request.spheres_up_to as f64,
+        full_speed: model.time_step().expected_speed,
+    })
 }
 
 fn facts(simulation: &Simulation, request: &RunRequest) -> BTreeMap<String, String> {

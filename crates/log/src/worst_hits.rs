@@ -23,8 +23,8 @@ impl WorstHits {
         }
     }
 
-    /// Enters a hit; of two of the same force the first stays in front.
-    pub fn enter(&mut self, hit: &Hit) {
+    /// Enters a hit; whether it is one of the hardest. Of two of the same force the first stays in front.
+    pub fn enter(&mut self, hit: &Hit) -> bool {
         let place = self
             .hits
             .partition_point(|other| other.peak_force >= hit.peak_force);
@@ -32,6 +32,7 @@ impl WorstHits {
             self.hits.insert(place, *hit);
             self.hits.truncate(self.most);
         }
+        place < self.most
     }
 
     /// The hits, the hardest first.

@@ -6,7 +6,8 @@ use common::{GATE_OPENS, SCENE_TEXT, plan, record, run_into, setup};
 use foxglove::messages::{FrameTransforms, Log, PointCloud, SceneUpdate};
 use foxglove::prost_types::FileDescriptorSet;
 use mcap::{Message, MessageStream};
-use pelletflow_log::read_frames;
+use pelletflow_log::{Progress, WORST_HITS, WorstHits, read_frames, read_hits};
+use pelletflow_sim::{Hit, HitRequest, Setup};
 use prost::Message as _;
 use std::collections::BTreeMap;
 use std::fs;
@@ -96,15 +97,69 @@ fn every_message_decodes_by_its_schema() {
     );
 }
 
+/// A run with every hit recorded in full.
+fn recorded_with_hits(directory: &Path, end_time: f64) -> Vec<u8> {
+    let setup = Setup {
+        hits: Some(HitRequest { threshold: 0.0 }),
+        ..setup(60)
+    };
+    let go_on = &mut |_: &Progress| ControlFlow::Continue(());
+    run_into(directory, setup, &plan(end_time), 1000, go_on).expect("the hopper runs to its end");
+    fs::read(directory.join("run.mcap")).expect("a run leaves a recording")
+}
+
 #[test]
 fn log_times_never_go_back() {
     let directory = tempfile::tempdir().expect("a temporary directory can be made");
-    let bytes = recorded(directory.path(), 0.06);
-    let times: Vec<u64> = messages(&bytes)
-        .iter()
-        .map(|message| message.log_time)
-        .collect();
+    let bytes = recorded_with_hits(directory.path(), 0.3);
+    let messages = messages(&bytes);
+    assert!(!of_topic(&messages, "/hits/worst/log").is_empty());
+    let times: Vec<u64> = messages.iter().map(|message| message.log_time).collect();
     assert!(times.is_sorted());
+}
+
+#[test]
+fn the_hardest_hits_up_to_each_moment_are_marked_and_told() {
+    let directory = tempfile::tempdir().expect("a temporary directory can be made");
+    let bytes = recorded_with_hits(directory.path(), 0.3);
+    let messages = messages(&bytes);
+    // Hits are told with the frame after them, and marked then.
+    let hits = read_hits(directory.path().join("run.mcap")).expect("hits are recorded");
+    let mut all = WorstHits::new(WORST_HITS);
+    let mut told: Vec<String> = Vec::new();
+    let words = of_topic(&messages, "/hits/worst/log");
+    for message in of_topic(&messages, "/hits/worst") {
+        let marks = SceneUpdate::decode(message.data.as_ref()).expect("it is marks");
+        let ended = |hit: &&Hit| ((hit.begin + hit.duration) * 1.0e9) as u64 <= message.log_time;
+        let mut hardest = WorstHits::new(WORST_HITS);
+        for hit in hits.hits.iter().filter(ended) {
+            hardest.enter(hit);
+        }
+        let expected = hardest.as_slice().iter().zip(1..);
+        let expected: Vec<String> = expected
+            .map(|(hit, rank)| format!("{rank}: {:.4} N", hit.peak_force))
+            .collect();
+        let entities = marks.entities.iter();
+        let found: Vec<&str> = entities.map(|mark| &*mark.texts[0].text).collect();
+        assert_eq!(found, expected, "{}", message.log_time);
+        assert_eq!(marks.deletions.len(), 1);
+        told = expected;
+    }
+    for hit in &hits.hits {
+        all.enter(hit);
+    }
+    assert_eq!(told.len(), WORST_HITS);
+    for hit in all.as_slice() {
+        let moment = format!(
+            "at {:.4} s: {:.4} N on pellet {}",
+            hit.peak_time, hit.peak_force, hit.pellet
+        );
+        let is_told = words.iter().any(|message| {
+            let line = Log::decode(message.data.as_ref()).expect("it is a line");
+            line.message.contains(&moment)
+        });
+        assert!(is_told, "{moment}");
+    }
 }
 
 #[test]

@@ -5,8 +5,8 @@ mod common;
 use common::{SCENE_TEXT, plan, setup};
 use pelletflow_core::Vec3;
 use pelletflow_log::{
-    Earlier, Ended, FolderError, Progress, RunError, RunRequest, Summary, discard, earlier,
-    read_hits, run,
+    Earlier, Ended, FolderError, Progress, RunError, RunRequest, Summary, WORST_HITS, WorstHits,
+    discard, earlier, read_hits, run,
 };
 use pelletflow_sim::{
     HitRequest, KeptFrames, MeterKind, Model, PlaneFlow, Residence, RunPlan, Setup, Simulation,
@@ -217,8 +217,17 @@ fn frames_are_kept_as_asked_for_whether_or_not_the_run_was_interrupted() {
         let of_topic = whole.iter().filter(|message| message.0 == topic);
         of_topic.map(|message| message.1).collect()
     };
-    let (worst, frames) = (times("/hits/worst"), times("/pellets"));
+    let frames = times("/pellets");
     let nanoseconds = |seconds: f64| (seconds * 1.0e9) as u64;
+    let mut worst = WorstHits::new(WORST_HITS);
+    for hit in &read_hits(all.join("run.mcap"))
+        .expect("hits are recorded")
+        .hits
+    {
+        worst.enter(hit);
+    }
+    let worst = worst.as_slice().iter();
+    let worst: Vec<u64> = worst.map(|hit| nanoseconds(hit.peak_time)).collect();
     let is_kept = |time: u64| {
         let end = *frames.last().expect("there are frames");
         let is_near = |&moment: &u64| moment.abs_diff(time) <= nanoseconds(REACH);

@@ -4,7 +4,7 @@ use crate::error::SetupError;
 use crate::hit::Arrivals;
 use crate::neighbors::SkinChoice;
 use crate::pellet::PelletKind;
-use crate::setup::{Outlet, Setup};
+use crate::setup::{Outlet, Rate, Setup};
 use crate::size::SizeDistribution;
 use crate::time_step::{self, TimeStep};
 use crate::validate;
@@ -128,6 +128,20 @@ impl Model {
     /// Mean mass of the pellets of a kind [kg].
     pub fn mean_mass(&self, kind: usize) -> f64 {
         self.derived.mean_masses[kind]
+    }
+
+    /// Pellets that all inlets feed up to a time [s], at their nominal rates [-].
+    pub fn fed_until(&self, time: f64) -> f64 {
+        let inlets = self.setup.inlets.iter();
+        let fed = inlets.map(|inlet| {
+            let seconds = (inlet.end.min(time) - inlet.start).max(0.0);
+            match inlet.rate {
+                Rate::Count(rate) => rate * seconds,
+                Rate::Mass(rate) => rate * seconds / self.mean_mass(inlet.pellets),
+            }
+        });
+        // Not `sum`, which is −0 where there is no inlet.
+        fed.fold(0.0, |total, fed| total + fed)
     }
 
     /// How samples of the contact forces stand for steps.

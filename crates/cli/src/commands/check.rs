@@ -8,7 +8,7 @@ use crate::screen;
 use crate::table::{self, bytes, count, number, span};
 use pelletflow_log::WORST_HITS;
 use pelletflow_scene::{MeshReport, Scene};
-use pelletflow_sim::{Inlet, Rate, Simulation, WallTrials};
+use pelletflow_sim::{Simulation, WallTrials};
 use serde_json::{Value, json};
 
 /// Pellet steps per second and core: of a packed bed on an old computer, and of a loose flow on a new one [1/s].
@@ -76,12 +76,7 @@ impl Forecast {
     fn new(scene: &Scene, simulation: &Simulation) -> Self {
         let end_time = scene.plan.end_time;
         let filled = simulation.pellet_count() as f64;
-        let inlets = &scene.setup.inlets;
-        // Not `sum`, which is −0 where there is no inlet.
-        let fed = inlets
-            .iter()
-            .map(|inlet| fed(scene, inlet))
-            .fold(0.0, |total, fed| total + fed);
+        let fed = scene.model.fed_until(end_time);
         let steps = (end_time / scene.model.time_step().seconds).ceil();
         let threads = simulation.threads();
         // As if none left: fed pellets are there for half of the time on average.
@@ -277,13 +272,4 @@ fn kept_frames(scene: &Scene) -> Option<f64> {
         .map(|reach| WORST_HITS as f64 * frames_within(2.0 * reach, scene) + 1.0);
     let asked: Vec<f64> = of_last.into_iter().chain(around).collect();
     (!asked.is_empty()).then(|| 1.0 + asked.into_iter().sum::<f64>())
-}
-
-/// Pellets that an inlet feeds in a whole run [-].
-fn fed(scene: &Scene, inlet: &Inlet) -> f64 {
-    let seconds = (inlet.end.min(scene.plan.end_time) - inlet.start).max(0.0);
-    match inlet.rate {
-        Rate::Count(rate) => rate * seconds,
-        Rate::Mass(rate) => rate * seconds / scene.model.mean_mass(inlet.pellets),
-    }
 }

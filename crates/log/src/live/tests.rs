@@ -83,8 +83,8 @@ fn a_viewer_that_comes_late_is_told_the_topics_and_the_last_message() {
 
     let mut viewer = Viewer::connect(&live);
     let info = viewer.told("serverInfo");
-    // It can ask for nothing, and change nothing.
-    assert_eq!(info["capabilities"], json!([]));
+    // It can ask for nothing, and change nothing; the clock is that of the run.
+    assert_eq!(info["capabilities"], json!(["time"]));
     let advertised = viewer.told("advertise")["channels"][0].clone();
     assert_eq!(advertised["topic"], "/test");
     assert_eq!(advertised["encoding"], "protobuf");

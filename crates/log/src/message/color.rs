@@ -11,6 +11,13 @@ pub(crate) fn on_scale(share: f64) -> Color {
     Color { r, g, b, a: 1.0 }
 }
 
+/// A color as eight hexadecimal digits, as in style sheets.
+pub(crate) fn in_words(color: Color) -> String {
+    let digits = |channel: f64| (255.0 * channel).round() as u8;
+    let [r, g, b, a] = [color.r, color.g, color.b, color.a].map(digits);
+    format!("#{r:02x}{g:02x}{b:02x}{a:02x}")
+}
+
 /// A wall that stays.
 pub(crate) const FIXED_WALL: Color = Color {
     r: 0.55,

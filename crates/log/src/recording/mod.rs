@@ -135,6 +135,7 @@ impl<W: Write + Seek> Recording<W> {
     /// Writes where everything is; pellets in the order given.
     pub(crate) fn frame(&mut self, frame: &Frame) -> McapResult<()> {
         let time = nanoseconds(frame.time);
+        self.writer.show_time(time);
         // Every viewer waits for the frames before it draws what is in them.
         if self.has_moving_walls || self.transforms_channel.is_empty() {
             let walls = self.wall_names.iter().map(String::as_str);
@@ -182,6 +183,7 @@ impl<W: Write + Seek> Recording<W> {
 
     /// Writes what the meters read at a time [s].
     pub(crate) fn meters(&mut self, time: f64, readings: &[MeterReading]) -> McapResult<()> {
+        self.writer.show_time(nanoseconds(time));
         for reading in readings {
             let mut channel = self.meter_channels.get(&reading.name).copied();
             let topic = format!("/meters/{}", reading.name);
@@ -228,23 +230,33 @@ impl<W: Write + Seek> Recording<W> {
             .write(&mut self.writer, nanoseconds(time), &message)
     }
 
-    /// Marks one of the hardest hits at its moment, and notes it in words; they come in order of time.
-    pub(crate) fn worst_hit(&mut self, hit: &Hit, rank: usize) -> McapResult<()> {
+    /// Marks the hardest hits up to a time [s], the hardest first, and tells those of them in words that are new.
+    pub(crate) fn worst_hits(
+        &mut self,
+        time: f64,
+        entered: &[Hit],
+        worst: &[Hit],
+    ) -> McapResult<()> {
         let Some(channels) = &mut self.hit_channels else {
             return Ok(());
         };
-        let time = nanoseconds(hit.peak_time);
-        let label = format!("{rank}: {:.4} N", hit.peak_force);
-        let mark = worst::message(hit, rank, &label);
-        channels.worst.write(&mut self.writer, time, &mark)?;
-        let text = format!(
-            "hit {rank} of the hardest: {}",
-            in_words(hit, &self.wall_names)
-        );
-        let words = event::message(hit.peak_time, Gravity::Warning, &text);
-        channels
-            .worst_in_words
-            .write(&mut self.writer, time, &words)
+        let log_time = nanoseconds(time);
+        let marks = worst::message(time, worst);
+        channels.worst.write(&mut self.writer, log_time, &marks)?;
+        for (hit, rank) in worst.iter().zip(1..) {
+            if entered.contains(hit) {
+                let text = format!(
+                    "hit {rank} of the hardest so far, at {:.4} s: {}",
+                    hit.peak_time,
+                    in_words(hit, &self.wall_names)
+                );
+                let words = event::message(hit.peak_time, Gravity::Warning, &text);
+                channels
+                    .worst_in_words
+                    .write(&mut self.writer, log_time, &words)?;
+            }
+        }
+        Ok(())
     }
 
     /// Writes what happened at a time [s].

@@ -40,8 +40,12 @@ pub(crate) enum Entry {
         time: f64,
         classes: BTreeMap<HitClassKey, HitClass>,
     },
-    /// One of the hardest hits, and its place among them from 1 on.
-    WorstHit { hit: Hit, rank: usize },
+    /// New ones among the hardest hits up to a time [s], and all of these, the hardest first.
+    WorstHits {
+        time: f64,
+        entered: Vec<Hit>,
+        worst: Vec<Hit>,
+    },
     /// What happened at a time [s].
     Event {
         time: f64,
@@ -187,7 +191,11 @@ fn put_down<W: Write + Seek>(
         Entry::Meters { time, readings } => recording.meters(time, &readings),
         Entry::Hits { time, hits } => recording.hits(time, &hits),
         Entry::HitClasses { time, classes } => recording.hit_classes(time, &classes),
-        Entry::WorstHit { hit, rank } => recording.worst_hit(&hit, rank),
+        Entry::WorstHits {
+            time,
+            entered,
+            worst,
+        } => recording.worst_hits(time, &entered, &worst),
         Entry::Event {
             time,
             gravity,

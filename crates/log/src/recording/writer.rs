@@ -67,6 +67,13 @@ impl<W: Write + Seek> MessageWriter<W> {
         Ok(())
     }
 
+    /// Sets the clock of whoever watches [ns].
+    pub(super) fn show_time(&self, time: u64) {
+        if let Some(live) = &self.live {
+            live.program.set_time(time);
+        }
+    }
+
     /// Messages so far [-].
     pub(super) fn messages(&self) -> u64 {
         self.messages
