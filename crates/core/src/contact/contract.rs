@@ -15,7 +15,7 @@ const TURNING_LAWS: [TurningLaw; 3] = [
 ];
 
 /// Every composition of the four parts.
-pub(super) fn registry() -> Vec<ContactLaws> {
+pub(in crate::contact) fn registry() -> Vec<ContactLaws> {
     let mut all = Vec::new();
     for normal in [
         NormalLaw::Hertz,

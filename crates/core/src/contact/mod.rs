@@ -94,4 +94,6 @@ pub struct ContactForce {
 }
 
 #[cfg(test)]
+mod any_contact;
+#[cfg(test)]
 mod contract;

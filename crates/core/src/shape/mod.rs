@@ -312,4 +312,6 @@ impl Shape {
 }
 
 #[cfg(test)]
+mod any_shape;
+#[cfg(test)]
 mod contract;

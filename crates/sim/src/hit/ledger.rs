@@ -62,11 +62,14 @@ impl HitClassKey {
             HitPartner::Pellet { .. } => None,
             HitPartner::Wall(wall) => Some(wall),
         };
-        // A hit without force, as of two that graze each other, goes to the class of the least force there is.
+        // A hit without force, as of two that graze each other, goes to the class of the least force there is, and one
+        // that a forged checkpoint tells as infinite to that of the greatest.
         let force = hit.peak_force.max(f64::MIN_POSITIVE);
+        let class = (CLASSES_PER_OCTAVE * force.log2()).floor() as i32;
+        let (least, greatest) = Self::FORCE_CLASSES.into_inner();
         Self {
             wall,
-            force_class: (CLASSES_PER_OCTAVE * force.log2()).floor() as i32,
+            force_class: class.clamp(least, greatest),
         }
     }
 
