@@ -26,6 +26,8 @@ SUBPROTOCOL = "foxglove.sdk.v1"
 # Operation, subscription and log time [ns] before a message.
 HEAD = struct.Struct("<BIQ")
 MESSAGE = 1
+# Operation before a time [ns].
+CLOCK = 2
 # What is followed; the number of a topic here is that of its subscription.
 TOPICS = ["/pellets", "/equipment", "/tf"]
 # No more than this is waited for the next word [s]; the machine may be busy with other work.
@@ -56,12 +58,19 @@ def watched(address: str) -> dict[str, dict[int, bytes]]:
     messages: dict[str, dict[int, bytes]] = {topic: {} for topic in TOPICS}
     with connect(address, subprotocols=[SUBPROTOCOL], max_size=None) as viewer:  # type: ignore[list-item]
         expect(viewer.subprotocol == SUBPROTOCOL, f"it speaks {viewer.subprotocol}")
-        expect(told(viewer, "serverInfo")["capabilities"] == [], "a viewer may do more than watch")
+        capabilities = told(viewer, "serverInfo")["capabilities"]
+        expect(capabilities == ["time"], "a viewer may do more than watch, or has no clock")
         waiting = set(TOPICS)
+        clock = 0
         try:
             while True:
                 word = viewer.recv(timeout=PATIENCE)
                 if isinstance(word, bytes):
+                    if word[0] == CLOCK:
+                        (now,) = struct.unpack_from("<Q", word, 1)
+                        expect(now >= clock, f"the clock goes back to {now} ns")
+                        clock = now
+                        continue
                     operation, topic, time = HEAD.unpack_from(word)
                     expect(operation == MESSAGE, f"operation {operation}")
                     before = messages[TOPICS[topic]]
@@ -77,6 +86,8 @@ def watched(address: str) -> dict[str, dict[int, bytes]]:
                         waiting.remove(channel["topic"])
                         subscribe(viewer, channel)
         except ConnectionClosed:
+            last = max(messages["/pellets"], default=0)
+            expect(clock == last, f"the clock ends at {clock} ns, the run at {last} ns")
             return messages
 
 

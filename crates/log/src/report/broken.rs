@@ -3,7 +3,7 @@
 use super::html::{put, table};
 use super::{ReportError, ReportStrength};
 use crate::breakage::{Breakage, Group, Share, scored, wall_name};
-use crate::figures::{chosen, count, number, percent};
+use crate::figures::{LEAST_SHARE, chosen, count, number, percent};
 use crate::hits::read_hits;
 use crate::markup::escaped;
 use pelletflow_impact::{Scatter, Strength, StrengthLaw};
@@ -38,7 +38,9 @@ impl<'a> Broken<'a> {
         let recorded = read_hits(recording)?;
         let (breakage, broken_by) = scored(&recorded, &strength.request)?;
         let chances = recorded.hits.iter().copied().zip(broken_by);
-        let mut marked: Vec<(Hit, f64)> = chances.filter(|(_, broken)| *broken > 0.0).collect();
+        let mut marked: Vec<(Hit, f64)> = chances
+            .filter(|(_, broken)| *broken > LEAST_SHARE)
+            .collect();
         marked.sort_by(|(_, one), (_, other)| other.total_cmp(one));
         let hits = marked.len();
         marked.truncate(MARKED);
@@ -89,13 +91,13 @@ impl<'a> Broken<'a> {
         pellets(group.map_or(0.0, |group| group.broken.pellets))
     }
 
-    /// Forces that break a share of the pellets [N], named; none where it is no force of the run that breaks
-    /// them, and where none break.
+    /// Forces that break a share of the pellets [N], named; none where it is no force of the run that breaks them, and
+    /// where none was hit.
     pub(super) fn loads(&self) -> Vec<(String, f64)> {
         let StrengthLaw::Load(strength) = &self.strength.request.law else {
             return Vec::new();
         };
-        if self.breakage.is_softened || self.marked.is_empty() {
+        if self.breakage.is_softened || self.diameter.is_nan() {
             return Vec::new();
         }
         loads(strength, self.diameter)
