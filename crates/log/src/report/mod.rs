@@ -1,6 +1,7 @@
 //! A recording as one page that opens in any browser, without a network: what was run, plots, and a replay in space.
 //!
-//! The recording is read in one pass, and where pellets may break its hits in a second one.
+//! The recording is read in one pass, and in another one for each of two reasons: pellets may break, or what was let go
+//! of on the way would have had room.
 //! But for those hits, memory is bounded by the size of the page: what does not fit is thinned on the way, and the page
 //! says so.
 
@@ -25,6 +26,8 @@ use std::path::Path;
 
 /// Bytes of a page per pellet and frame at least, after packing and base 64 [B]: of pellets that hardly move.
 const FEWEST_BYTES: usize = 3;
+/// Pellets times frames that are held at most where they turn out to pack better than that [-]: half a gigabyte.
+const MOST_HELD: usize = 16_000_000;
 /// Share of the page that walls may take before they are packed [-].
 const WALL_SHARE: f64 = 0.25;
 
@@ -91,7 +94,19 @@ pub struct Report {
 /// The recording cannot be read, is none of ours, or is damaged, or a quantity of the strength is outside its bounds.
 pub fn report(request: &ReportRequest) -> Result<Report, ReportError> {
     let capacity = request.most_bytes / FEWEST_BYTES;
+    let (report, is_thinned) = report_within(request, capacity)?;
+    let room = request.most_bytes / report.html.len();
+    let greater = (capacity * room).min(MOST_HELD);
+    if is_thinned && greater >= 2 * capacity {
+        return Ok(report_within(request, greater)?.0);
+    }
+    Ok(report)
+}
+
+/// Makes a page of at most so many pellets times frames [-]; whether there were more.
+fn report_within(request: &ReportRequest, capacity: usize) -> Result<(Report, bool), ReportError> {
     let mut gathered = Gathered::read(request.recording, capacity)?;
+    let is_thinned = !gathered.frames.omissions().is_empty();
     // A run that did not follow hits has none to hold against a strength, and the page says so.
     let followed = gathered.hits.walls.is_some();
     let strength = request.strength.as_ref().filter(|_| followed);
@@ -109,7 +124,7 @@ pub fn report(request: &ReportRequest) -> Result<Report, ReportError> {
         omissions.extend(gathered.frames.omissions());
         let html = fixed.page(&replay, &omissions);
         if html.len() <= request.most_bytes || !gathered.frames.thin() {
-            return Ok(Report { html, omissions });
+            return Ok((Report { html, omissions }, is_thinned));
         }
     }
 }
