@@ -1,5 +1,7 @@
 //! What every contact law promises, held for each composition.
 
+mod any_contact;
+
 use super::{
     Contact, ContactForce, ContactHistory, ContactLaws, NormalLaw, Sampling, TangentialLaw,
     TurningLaw,
@@ -15,7 +17,7 @@ const TURNING_LAWS: [TurningLaw; 3] = [
 ];
 
 /// Every composition of the four parts.
-pub(in crate::contact) fn registry() -> Vec<ContactLaws> {
+pub(super) fn registry() -> Vec<ContactLaws> {
     let mut all = Vec::new();
     for normal in [
         NormalLaw::Hertz,

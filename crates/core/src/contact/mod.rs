@@ -94,6 +94,4 @@ pub struct ContactForce {
 }
 
 #[cfg(test)]
-mod any_contact;
-#[cfg(test)]
 mod contract;

@@ -1,5 +1,6 @@
 //! What every shape promises, held for each row of the table in `registry.rs`.
 
+mod any_shape;
 mod ellipsoid;
 mod registry;
 

@@ -312,6 +312,4 @@ impl Shape {
 }
 
 #[cfg(test)]
-mod any_shape;
-#[cfg(test)]
 mod contract;

@@ -1,7 +1,7 @@
 //! What every contact law promises, for any contact of any materials that a scene may ask for.
 
-use super::contract::registry;
-use super::{Contact, ContactHistory, NormalLaw, Sampling};
+use super::registry;
+use crate::contact::{Contact, ContactHistory, NormalLaw, Sampling};
 use crate::{Material, MaterialPair, PairProperties, Vec3};
 use nalgebra::{UnitQuaternion, UnitVector3};
 use proptest::prelude::*;

@@ -1,7 +1,7 @@
 //! What every shape promises, for shapes put together at random.
 
-use super::Shape;
 use crate::Vec3;
+use crate::shape::Shape;
 use nalgebra::{UnitQuaternion, UnitVector3};
 use proptest::collection::vec;
 use proptest::prelude::*;
