@@ -17,7 +17,7 @@ const TAIL: usize = 16;
 const GOES_ON: f64 = 1.0e-3;
 
 /// Moment after which the run was interrupted [s]: late, so that the recording holds what every earlier checkpoint knows of.
-const LATE: f64 = 0.5;
+const LATE: f64 = 2.0;
 
 /// What a run left that was interrupted late.
 static INTERRUPTED: LazyLock<Interrupted> = LazyLock::new(|| Interrupted::from(LATE));

@@ -170,6 +170,49 @@ pub(super) enum IsKept {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::hit::Cause;
+    use pelletflow_core::Vec3;
+
+    fn hit(peak_force: f64) -> Hit {
+        Hit {
+            pellet: 0,
+            diameter: 0.012,
+            mass: 0.003,
+            partner: HitPartner::Wall(0),
+            cause: Cause::Drop,
+            is_open: false,
+            begin: 0.0,
+            duration: 1.0e-4,
+            steps: 30,
+            peak_time: 5.0e-5,
+            place: Vec3::zeros(),
+            peak_force,
+            sampled_force: peak_force,
+            arrival_force: peak_force,
+            arrival_pressure: 0.0,
+            peak_pressure: 0.0,
+            normal_impulse: 0.01,
+            tangential_impulse: 0.0,
+            lost_energy: 0.0,
+            approach_speed: 3.0,
+            sliding_speed: 0.0,
+            effective_radius: 0.006,
+        }
+    }
+
+    #[test]
+    fn every_force_has_a_class_that_holds_it_and_what_is_no_force_has_one_too() {
+        for force in [1.0e-300, 1.0e-3, 1.0, 2450.0, 1.0e300] {
+            let key = HitClassKey::new(&hit(force));
+            let [from, to] = key.forces();
+            assert!(from <= force && force < to, "{force}: {from} to {to}");
+        }
+        for forged in [0.0, -1.0, f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
+            let key = HitClassKey::new(&hit(forged));
+            let class = key.force_class;
+            assert!(HitClassKey::FORCE_CLASSES.contains(&class), "{forged}");
+        }
+    }
 
     #[test]
     fn a_ledger_of_forces_walls_or_counts_that_there_are_none_of_does_not_fit() {
