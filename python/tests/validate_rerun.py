@@ -3,7 +3,7 @@
     python validate_rerun.py RECORDING PICTURE.png
 
 Needs `rerun-sdk` and `pillow`, and a Vulkan driver that draws into memory, as Mesa's lavapipe.
-Exits with 1 when the recording is not shown.
+Exits with 1 when the recording is not shown, and with 3 when the viewer does not start here.
 """
 
 from __future__ import annotations
@@ -38,6 +38,10 @@ class Broken(Exception):
     """A promise that a recording breaks."""
 
 
+class NoViewer(Exception):
+    """A viewer that this machine cannot start."""
+
+
 def expect(condition: bool, message: str) -> None:
     if not condition:
         raise Broken(message)
@@ -56,9 +60,9 @@ def connected(port: int) -> ViewerClient:
         try:
             viewer = ViewerClient.connect(f"rerun+http://127.0.0.1:{port}/proxy")
             viewer.get_state()
-        except Exception:
+        except Exception as error:
             if time.monotonic() > give_up:
-                raise
+                raise NoViewer(f"it did not answer within {READY_WITHIN} s") from error
             time.sleep(0.2)
         else:
             return viewer
@@ -133,6 +137,9 @@ def main(arguments: list[str]) -> int:
         return 1
     try:
         print("ok", validate(*(Path(argument).resolve() for argument in arguments)))
+    except NoViewer as error:
+        print(f"NO VIEWER: {error}")
+        return 3
     except Exception as error:  # a viewer that does not answer is a failure as well
         print(f"BROKEN {arguments[0]}: {type(error).__name__}: {error}")
         return 1

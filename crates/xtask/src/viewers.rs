@@ -1,7 +1,7 @@
 //! What a run leaves, opened as its users do: the report in a browser, the export in VTK, the recording in Rerun; and a run
 //! watched while it goes on.
 
-use crate::process;
+use crate::process::{self, Failed};
 use crate::venv::Venv;
 use crate::workspace::{cargo, root, target};
 use anyhow::Result;
@@ -18,6 +18,9 @@ const BROWSERS: [&str; 4] = [
     "google-chrome",
     "google-chrome-stable",
 ];
+
+/// Exit code of `validate_rerun.py` where the viewer does not start.
+const NO_VIEWER: u8 = 3;
 
 /// Where Linux keeps what it knows of Vulkan drivers.
 const VULKAN_DRIVERS: [&str; 2] = ["/usr/share/vulkan/icd.d", "/etc/vulkan/icd.d"];
@@ -78,12 +81,17 @@ fn rerun(recording: &Path, picture: &Path) -> Result<String> {
         );
     }
     let venv = Venv::with(&["requirements-viewers.txt", "requirements-rerun.txt"])?;
-    process::run(
-        script(&venv, "validate_rerun.py")
-            .arg(recording)
-            .arg(picture),
-    )?;
-    Ok("recording drawn by Rerun".to_owned())
+    let mut look = script(&venv, "validate_rerun.py");
+    match process::run(look.arg(recording).arg(picture)) {
+        Ok(()) => Ok("recording drawn by Rerun".to_owned()),
+        Err(error) => match error.downcast_ref::<Failed>() {
+            Some(failed) if failed.code == NO_VIEWER => Ok(
+                "recording not opened by Rerun, whose viewer does not start on this machine"
+                    .to_owned(),
+            ),
+            _ => Err(error),
+        },
+    }
 }
 
 fn pelletflow(arguments: &[&str], output: &Path, recording: &Path) -> Result<()> {
