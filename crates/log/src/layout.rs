@@ -4,7 +4,7 @@
 
 use crate::message::color;
 use crate::tables::{unit_of, words_of};
-use pelletflow_core::{Bounds, Pose, Vec3};
+use pelletflow_core::{Bounds, Vec3};
 use pelletflow_sim::{MeterReading, Simulation};
 use serde_json::{Map, Value, json};
 
@@ -88,9 +88,8 @@ pub(crate) fn bounds_of(simulation: &Simulation) -> Bounds {
         max: pellet.position.add_scalar(pellet.radius),
     });
     let walls = simulation.walls().filter_map(|wall| {
-        let own = setup.walls[wall.index].shape.bounds();
-        let is_finite = (own.max - own.min).iter().all(|side| side.is_finite());
-        is_finite.then(|| placed(&own, &wall.pose).common(domain))
+        let bounds = setup.walls[wall.index].bounds(&wall.pose);
+        bounds.is_finite().then(|| bounds.common(domain))
     });
     let seen = pellets
         .chain(walls)
@@ -100,26 +99,6 @@ pub(crate) fn bounds_of(simulation: &Simulation) -> Bounds {
     } else {
         *domain
     }
-}
-
-/// The box about a box that was moved.
-fn placed(own: &Bounds, pose: &Pose) -> Bounds {
-    let corners = (0..8).map(|corner: usize| {
-        let end = |axis: usize| {
-            let end = if corner >> axis & 1 == 0 {
-                own.min
-            } else {
-                own.max
-            };
-            end[axis]
-        };
-        let corner = pose.point(Vec3::new(end(0), end(1), end(2)));
-        Bounds {
-            min: corner,
-            max: corner,
-        }
-    });
-    corners.fold(Bounds::nothing(), |whole, corner| whole.merged(&corner))
 }
 
 fn scene_panel(view: &View) -> Value {

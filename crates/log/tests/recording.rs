@@ -9,6 +9,7 @@ use mcap::{Message, MessageStream};
 use pelletflow_log::{Progress, WORST_HITS, WorstHits, read_frames, read_hits};
 use pelletflow_sim::{Hit, HitRequest, Setup};
 use prost::Message as _;
+use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs;
 use std::ops::ControlFlow;
@@ -106,6 +107,31 @@ fn recorded_with_hits(directory: &Path, end_time: f64) -> Vec<u8> {
     let go_on = &mut |_: &Progress| ControlFlow::Continue(());
     run_into(directory, setup, &plan(end_time), 1000, go_on).expect("the hopper runs to its end");
     fs::read(directory.join("run.mcap")).expect("a run leaves a recording")
+}
+
+#[test]
+fn the_layout_looks_at_what_is_there_and_lists_the_hardest_hits() {
+    let directory = tempfile::tempdir().expect("a temporary directory can be made");
+    recorded_with_hits(directory.path(), 0.01);
+    let layout = fs::read_to_string(directory.path().join("layout.json")).expect("it is beside");
+    let layout: Value = serde_json::from_str(&layout).expect("it is JSON");
+    let panels = &layout["configById"];
+    assert_eq!(panels["RosOut!hits"]["topicToRender"], "/hits/worst/log");
+    assert_eq!(layout["layout"]["first"]["second"], "RosOut!hits");
+    let camera = &panels["3D!scene"]["cameraState"];
+    let target: Vec<f64> = (0..3)
+        .filter_map(|axis| camera["targetOffset"][axis].as_f64())
+        .collect();
+    // The hopper stands about the z axis, and its pellets begin above it.
+    assert!(target[0].abs() < 0.1 && target[1].abs() < 0.1, "{target:?}");
+    assert!(target[2].abs() < 0.2, "{target:?}");
+    let domain = setup(60).domain.bounds;
+    let distance = camera["distance"].as_f64().expect("it is a number");
+    assert!(distance < 1.2 * (domain.max - domain.min).norm());
+    // Sixty pellets are drawn as spheres, out of which points would stick.
+    let topics = &panels["3D!scene"]["topics"];
+    assert_eq!(topics["/pellets/spheres"]["visible"], true);
+    assert_eq!(topics["/pellets"]["visible"], false);
 }
 
 #[test]
@@ -335,7 +361,7 @@ fn the_scene_and_the_layout_are_attached_and_beside_the_recording() {
     let scene = fs::read_to_string(directory.path().join("scene.toml")).expect("it is beside");
     assert_eq!(scene, SCENE_TEXT);
     let layout = fs::read_to_string(directory.path().join("layout.json")).expect("it is beside");
-    let layout: serde_json::Value = serde_json::from_str(&layout).expect("it is JSON");
+    let layout: Value = serde_json::from_str(&layout).expect("it is JSON");
     let panels = layout["configById"].as_object().expect("it has panels");
     assert_eq!(panels.len(), 5, "a scene, two meters and two ledgers");
     assert_eq!(

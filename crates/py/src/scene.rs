@@ -54,18 +54,19 @@ impl Given {
 
     /// Reads and validates the scene.
     pub(crate) fn read(&self) -> Result<Scene, SceneError> {
-        match &self.base {
-            Base::File(path) => Scene::read(path, &self.overrides),
-            Base::Tables(tables) => Scene::from_value(tables, NAME_OF_DICTIONARY, &self.overrides),
-        }
+        self.read_under(&self.overrides)
     }
 
     /// Reads and validates the scene with one more value set.
     pub(crate) fn read_with(&self, set: Override) -> Result<Scene, SceneError> {
         let overrides: Vec<_> = self.overrides.iter().cloned().chain([set]).collect();
+        self.read_under(&overrides)
+    }
+
+    fn read_under(&self, overrides: &[Override]) -> Result<Scene, SceneError> {
         match &self.base {
-            Base::File(path) => Scene::read(path, &overrides),
-            Base::Tables(tables) => Scene::from_value(tables, NAME_OF_DICTIONARY, &overrides),
+            Base::File(path) => Scene::read(path, overrides),
+            Base::Tables(tables) => Scene::from_value(tables, NAME_OF_DICTIONARY, overrides),
         }
     }
 

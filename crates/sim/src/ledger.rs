@@ -3,9 +3,9 @@
 use crate::tally::Tally;
 use serde::{Deserialize, Serialize};
 
-/// Greatest count that is believed of a state read back [-]: no run comes near, and beyond it numbers on a page are no
+/// Greatest count that is believed of what is read back [-]: no run comes near, and beyond it numbers on a page are no
 /// longer exact.
-pub(crate) const MOST_COUNTED: u64 = 1 << f64::MANTISSA_DIGITS;
+pub const MOST_COUNTED: u64 = 1 << f64::MANTISSA_DIGITS;
 
 /// A number of pellets and their mass.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]

@@ -51,7 +51,7 @@ mod wall_contacts;
 pub use error::{SetupError, StepError};
 pub use hit::{Cause, Hit, HitClass, HitClassKey, HitLedger, HitPartner, HitRequest};
 pub use integrator::Integrator;
-pub use ledger::{ContactStatistics, EnergyLedger, MassLedger, PelletTally};
+pub use ledger::{ContactStatistics, EnergyLedger, MOST_COUNTED, MassLedger, PelletTally};
 pub use meter::{
     Heap, MassFlow, Meter, MeterKind, MeterReading, PatchTable, PlaneFlow, Region, Residence,
     WallForce, WallImpacts, Wear,

@@ -53,8 +53,8 @@ impl Wall {
         }
     }
 
-    /// The wall's box in the world, at a pose.
-    pub(crate) fn bounds(&self, pose: &Pose) -> Bounds {
+    /// The wall's box in the world, at a pose; infinite where the wall has no end [m].
+    pub fn bounds(&self, pose: &Pose) -> Bounds {
         let bounds = self.shape.bounds();
         if !self.motion.is_moving() {
             return bounds;

@@ -44,7 +44,7 @@ pub(crate) fn rust_tests() -> Result<String> {
     Ok(format!("{passed} passed"))
 }
 
-/// Runs a simulation under a clock that is set meanwhile, which takes a library that no registry of ours holds.
+/// Runs a simulation under a clock that is set meanwhile, which takes a library of the system.
 pub(crate) fn clock() -> Result<String> {
     let Some(library) = fake_clock() else {
         return Ok("not checked, libfaketime is not installed".to_owned());

@@ -7,14 +7,12 @@ use crate::tables::Column;
 use foxglove::Schema;
 use foxglove::prost_types::field_descriptor_proto::{Label, Type};
 use pelletflow_core::Vec3;
-use pelletflow_sim::{Cause, Hit, HitClass, HitClassKey, HitPartner};
+use pelletflow_sim::{Cause, Hit, HitClass, HitClassKey, HitPartner, MOST_COUNTED};
 use prost::Message;
 use std::collections::BTreeMap;
 
 /// What stands for a pellet where a wall is named.
 const NO_WALL: i32 = -1;
-/// Hits of a run at most [-]: what is counted beyond is no longer exact as a number on a page.
-const MOST_HITS: u64 = 1 << f64::MANTISSA_DIGITS;
 /// What is wrong with a message whose columns are not of one length.
 pub(crate) const UNEQUAL_COLUMNS: &str = "its columns differ in length";
 
@@ -249,8 +247,8 @@ pub(crate) fn classes(block: &HitClasses) -> Result<BTreeMap<HitClassKey, HitCla
         return Err(format!("a class keeps {kept} of its {count} hits"));
     }
     let total = counts().try_fold(0_u64, |total, (count, _)| total.checked_add(*count));
-    if total.is_none_or(|total| total > MOST_HITS) {
-        return Err(format!("it counts more than {MOST_HITS} hits"));
+    if total.is_none_or(|total| total > MOST_COUNTED) {
+        return Err(format!("it counts more than {MOST_COUNTED} hits"));
     }
     Ok((0..rows)
         .map(|row| {

@@ -94,18 +94,7 @@ pub struct Report {
 /// The recording cannot be read, is none of ours, or is damaged, or a quantity of the strength is outside its bounds.
 pub fn report(request: &ReportRequest) -> Result<Report, ReportError> {
     let capacity = request.most_bytes / FEWEST_BYTES;
-    let (report, is_thinned) = report_within(request, capacity)?;
-    let room = request.most_bytes / report.html.len();
-    let greater = (capacity * room).min(MOST_HELD);
-    if is_thinned && greater >= 2 * capacity {
-        return Ok(report_within(request, greater)?.0);
-    }
-    Ok(report)
-}
-
-/// Makes a page of at most so many pellets times frames [-]; whether there were more.
-fn report_within(request: &ReportRequest, capacity: usize) -> Result<(Report, bool), ReportError> {
-    let mut gathered = Gathered::read(request.recording, capacity)?;
+    let gathered = Gathered::read(request.recording, capacity)?;
     let is_thinned = !gathered.frames.omissions().is_empty();
     // A run that did not follow hits has none to hold against a strength, and the page says so.
     let followed = gathered.hits.walls.is_some();
@@ -113,7 +102,18 @@ fn report_within(request: &ReportRequest, capacity: usize) -> Result<(Report, bo
     let broken = strength
         .map(|strength| Broken::read(request.recording, strength))
         .transpose()?;
-    let broken = broken.as_ref();
+    let report = page_of(gathered, broken.as_ref(), request);
+    let room = request.most_bytes / report.html.len();
+    let greater = (capacity * room).min(MOST_HELD);
+    if is_thinned && greater >= 2 * capacity {
+        let gathered = Gathered::read(request.recording, greater)?;
+        return Ok(page_of(gathered, broken.as_ref(), request));
+    }
+    Ok(report)
+}
+
+/// Makes a page of what was gathered, and thins it until it fits.
+fn page_of(mut gathered: Gathered, broken: Option<&Broken>, request: &ReportRequest) -> Report {
     let mut omissions = Vec::from_iter(gathered.omission());
     omissions.extend(broken.and_then(Broken::omission));
     let is_drawn = drawn_walls(&gathered, request.most_bytes, &mut omissions);
@@ -124,7 +124,7 @@ fn report_within(request: &ReportRequest, capacity: usize) -> Result<(Report, bo
         omissions.extend(gathered.frames.omissions());
         let html = fixed.page(&replay, &omissions);
         if html.len() <= request.most_bytes || !gathered.frames.thin() {
-            return Ok((Report { html, omissions }, is_thinned));
+            return Report { html, omissions };
         }
     }
 }

@@ -44,7 +44,7 @@ fn without_looks(bytes: &[u8]) -> Vec<u8> {
         !matches!(line.split_whitespace().next(), Some("vn" | "vt"))
     };
     let lines = bytes.split_inclusive(|&byte| byte == b'\n');
-    lines.filter(is_of_use).flatten().copied().collect()
+    lines.filter(is_of_use).collect::<Vec<_>>().concat()
 }
 
 #[cfg(test)]

@@ -126,7 +126,7 @@ proptest! {
     }
 
     #[test]
-    fn friction_of_any_contact_stays_below_coulombs_cap_and_makes_no_energy(
+    fn friction_of_any_contact_stays_below_coulombs_cap_and_its_heat_is_not_negative(
         contact in contacts(), pair in pairs(),
     ) {
         for laws in registry() {
