@@ -71,6 +71,9 @@ impl Profile {
 }
 
 /// Seconds of each phase [s], by name, of a run of the given time [s]; all but the writer's add up to it.
+///
+/// Stages of the step are timed in some steps that stand for the others: where one of those was held up,
+/// the stages would add up to more than there was, and are shortened together to what the rest leaves them.
 pub(crate) fn phases(
     wall_time: f64,
     before: &[Phase],
@@ -86,6 +89,13 @@ pub(crate) fn phases(
             *seconds -= phase.seconds;
         }
     }
+    let left = wall_time - (recording.copying + recording.waiting).as_secs_f64();
+    let stages: f64 = phases.values().sum();
+    if stages > left {
+        for seconds in phases.values_mut() {
+            *seconds *= left.max(0.0) / stages;
+        }
+    }
     phases.insert(RECORDING.into(), recording.copying.as_secs_f64());
     phases.insert(WAITING.into(), recording.waiting.as_secs_f64());
     let named: f64 = phases.values().sum();
@@ -99,32 +109,46 @@ mod tests {
     use super::phases;
     use crate::recording::RecordingTimes;
     use pelletflow_sim::Phase;
+    use std::collections::BTreeMap;
     use std::time::Duration;
 
-    #[test]
-    fn what_no_phase_covers_is_other_and_what_was_before_the_run_is_left_out() {
-        let phase = |name, seconds| Phase { name, seconds };
-        let before = [phase("forces", 1.0), phase("motion", 0.5)];
-        let after = [phase("forces", 4.0), phase("motion", 1.5)];
-        let recording = RecordingTimes {
-            copying: Duration::from_millis(250),
-            waiting: Duration::from_millis(500),
-            writing: Duration::from_secs(7),
-        };
-        let found = phases(10.0, &before, &after, &recording);
-        let expected = [
-            ("forces", 3.0),
-            ("motion", 1.0),
-            ("other", 5.25),
+    fn phase(name: &'static str, seconds: f64) -> Phase {
+        Phase { name, seconds }
+    }
+
+    /// What the recording took of every run here.
+    const RECORDING: RecordingTimes = RecordingTimes {
+        copying: Duration::from_millis(250),
+        waiting: Duration::from_millis(500),
+        writing: Duration::from_secs(7),
+    };
+
+    /// What the summary tells, with what the recording took.
+    fn expected(forces: f64, motion: f64, other: f64) -> BTreeMap<String, f64> {
+        [
+            ("forces", forces),
+            ("motion", motion),
+            ("other", other),
             ("recording", 0.25),
             ("waiting", 0.5),
             ("writer", 7.0),
-        ];
-        assert_eq!(
-            found,
-            expected
-                .map(|(name, seconds)| (name.to_owned(), seconds))
-                .into()
-        );
+        ]
+        .map(|(name, seconds)| (name.to_owned(), seconds))
+        .into()
+    }
+
+    #[test]
+    fn what_no_phase_covers_is_other_and_what_was_before_the_run_is_left_out() {
+        let before = [phase("forces", 1.0), phase("motion", 0.5)];
+        let after = [phase("forces", 4.0), phase("motion", 1.5)];
+        let found = phases(10.0, &before, &after, &RECORDING);
+        assert_eq!(found, expected(3.0, 1.0, 5.25));
+    }
+
+    #[test]
+    fn stages_whose_samples_tell_more_time_than_there_was_share_what_the_rest_leaves() {
+        let after = [phase("forces", 12.0), phase("motion", 4.0)];
+        let found = phases(2.75, &[], &after, &RECORDING);
+        assert_eq!(found, expected(1.5, 0.5, 0.0));
     }
 }
