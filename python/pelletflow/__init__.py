@@ -11,6 +11,7 @@ SI units throughout; arrays are NumPy arrays of float64 with one row per pellet.
 from pelletflow._impact import Impact, SafeSpeed, impact, safe_speed
 from pelletflow._pelletflow import Simulation, __version__
 from pelletflow._recording import Recording, read
+from pelletflow._rerun import to_rerun
 from pelletflow._run import Progress, RunResult, run
 from pelletflow._safe_setting import SafeSetting, safe_setting
 from pelletflow._scene import Scene
@@ -56,4 +57,5 @@ __all__ = [
     "safe_speed",
     "score",
     "sweep",
+    "to_rerun",
 ]

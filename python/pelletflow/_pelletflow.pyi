@@ -15,6 +15,7 @@ __all__ = [
     "Batch",
     "Simulation",
     "__version__",
+    "colors",
     "command",
     "impacts",
     "library",
@@ -65,6 +66,9 @@ def parts_of(key: str) -> list[str]:
 
 def schema() -> dict[str, Any]:
     """JSON Schema of a scene."""
+
+def colors(shares: _Floats) -> npt.NDArray[np.uint8]:
+    """Colors of shares of the scale of a recording, from 0 to 1, shape (n, 3) [0 to 255]."""
 
 def table_kinds() -> list[str]:
     """Names of the kinds of tables that a recording is read as."""

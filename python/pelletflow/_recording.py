@@ -60,6 +60,25 @@ class Recording:
         return self._table("events")
 
     @property
+    def walls(self) -> Table:
+        """Where each wall is: a row for every moment at which one comes, goes or is moved.
+
+        The pose takes a wall from its own frame to the world: first the turn, a quaternion,
+        then the shift. Only walls that move, run or open are active.
+        """
+        return self._table("walls")
+
+    @property
+    def wall_triangles(self) -> Table:
+        """Triangles that each wall is drawn of, in its own frame."""
+        return self._table("wall_triangles")
+
+    @property
+    def wall_edges(self) -> Table:
+        """Sharp edges of each wall, piece by piece, in its own frame."""
+        return self._table("wall_edges")
+
+    @property
     def meters(self) -> dict[str, Table]:
         """What each meter read over time, by the name of the meter."""
         return {
@@ -108,7 +127,8 @@ def read(path: str | os.PathLike[str], *, only: Iterable[str] | None = None) -> 
     Args:
         path: The recording, ``run.mcap``, or the folder of the run.
         only: Kinds of tables to read: ``bodies``, ``hits``, ``hit_classes``, ``meters``,
-            ``mass_ledger``, ``energy_ledger``, ``events``; all if None.
+            ``mass_ledger``, ``energy_ledger``, ``events``, ``walls``, ``wall_triangles``,
+            ``wall_edges``; all if None.
 
     Raises:
         RecordingError: The file cannot be read, is no recording or is damaged.

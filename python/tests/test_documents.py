@@ -28,6 +28,7 @@ SHOWN = {
     "safe_speed",
     "score",
     "sweep",
+    "to_rerun",
 }
 
 
@@ -43,6 +44,8 @@ def scenes(tmp_path, monkeypatch):
 @pytest.mark.parametrize("name", ["", *MODULES])
 def test_the_examples_of_doc_comments_give_what_they_show(name, scenes):
     module = importlib.import_module(f"pelletflow.{name}".rstrip("."))
+    if name == "_rerun":
+        pytest.importorskip("rerun")
     failed, tried = doctest.testmod(module)
     assert failed == 0
     assert tried > 0

@@ -47,6 +47,20 @@ def test_meters_and_ledgers_end_as_the_summary_does(output):
     assert recording.hit_classes["count"].sum() >= recording.hits.rows
 
 
+def test_a_floor_is_one_wall_that_stays_and_is_drawn_of_level_triangles(output):
+    recording = output.read()
+    walls = recording.walls
+    assert list(walls["wall"]) == ["floor"]
+    assert list(walls["is_present"]) == [True]
+    pose = np.array([walls[name][0] for name in ("x_m", "y_m", "z_m", "qx", "qy", "qz", "qw")])
+    assert np.array_equal(pose, [0, 0, 0, 0, 0, 0, 1])
+    triangles = recording.wall_triangles
+    heights = np.concatenate([triangles[f"z{corner}_m"] for corner in (1, 2, 3)])
+    assert np.allclose(heights, 0.0, atol=1e-7)
+    # Its outline lies in it.
+    assert np.allclose(recording.wall_edges["z1_m"], 0.0, atol=1e-7)
+
+
 def test_a_folder_and_its_recording_read_alike_and_only_what_is_asked_for(output):
     by_file = pf.read(output.output / "run.mcap", only=["events"])
     by_folder = pf.read(str(output.output), only=["events"])

@@ -1,8 +1,10 @@
-"""Open a recording in Rerun, without a screen, and look at what its importer draws.
+"""Open a recording in Rerun, without a screen, and look at what is drawn of it.
 
     python validate_rerun.py RECORDING PICTURE.png
 
-Needs `rerun-sdk` and `pillow`, and a Vulkan driver that draws into memory, as Mesa's lavapipe.
+First as Rerun's own importer reads it, then as `pelletflow.to_rerun` writes it.
+Needs `pelletflow`, `rerun-sdk` and `pillow`, and a Vulkan driver that draws into memory, as Mesa's
+lavapipe.
 Exits with 1 when the recording is not shown, and with 3 when the viewer does not start here.
 """
 
@@ -14,8 +16,11 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
+import pelletflow as pf
 import rerun_cli
 from PIL import Image
 from rerun.experimental import ViewerClient
@@ -32,6 +37,10 @@ EARLY, LATE = 0.1, 1.0
 COLORED = 0.001
 # Share of the view that the flow changes at least [-].
 MOVED = 0.001
+# Share of the view that the walls of the hopper cover at least, gray and seen through [-].
+GRAY = 0.03
+# Share of the view that its gate covers, orange: at least while shut, at most once it is open [-].
+SHUT, OPEN = 0.003, 0.0001
 
 
 class Broken(Exception):
@@ -86,17 +95,34 @@ def check_entities(viewer: ViewerClient) -> None:
     expect(not missing, f"Rerun finds nothing of {missing}")
 
 
-def picture(viewer: ViewerClient, view: str, seconds: float, path: Path) -> Image.Image:
-    viewer.set_time("message_log_time", timestamp=seconds, play_state="paused")
+def picture(
+    viewer: ViewerClient, view: str, time_shown: dict[str, float], path: Path
+) -> Image.Image:
+    viewer.set_time(play_state="paused", **time_shown)
     # The view is drawn again before it is saved, but its camera takes a moment to arrive.
     time.sleep(1.0)
     viewer.save_screenshot(str(path), view)
     return Image.open(path).convert("RGB")
 
 
+def share(image: Image.Image, hues: range, saturations: range, least_value: int) -> float:
+    """Share of an image with hue and saturation in ranges, and not too dark [-]."""
+    pixels = image.convert("HSV").tobytes()
+    triples = zip(pixels[::3], pixels[1::3], pixels[2::3], strict=True)
+    found = sum(h in hues and s in saturations and v >= least_value for h, s, v in triples)
+    return found / (image.width * image.height)
+
+
 def colored(image: Image.Image) -> float:
-    saturations = image.convert("HSV").getchannel("S").histogram()
-    return sum(saturations[90:]) / sum(saturations)
+    return share(image, range(256), range(90, 256), 0)
+
+
+def gray(image: Image.Image) -> float:
+    return share(image, range(256), range(90), 50)
+
+
+def orange(image: Image.Image) -> float:
+    return share(image, range(10, 36), range(120, 256), 60)
 
 
 def changed(one: Image.Image, other: Image.Image) -> float:
@@ -105,30 +131,66 @@ def changed(one: Image.Image, other: Image.Image) -> float:
     return different / (one.width * one.height)
 
 
-def validate(recording: Path, path: Path) -> str:
+@contextmanager
+def opened(file: Path) -> Iterator[ViewerClient]:
+    """A viewer with a file."""
     port = free_port()
     with tempfile.TemporaryDirectory() as folder:
         process = subprocess.Popen(
             # Else it would listen on all interfaces.
-            [PROGRAM, "--headless", "--bind", "127.0.0.1", "--port", str(port), recording],
+            [PROGRAM, "--headless", "--bind", "127.0.0.1", "--port", str(port), file],
             env={"XDG_RUNTIME_DIR": folder, "RERUN_ANALYTICS": "off", **os.environ},
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
         )
         try:
-            viewer = connected(port)
-            view = view_in_space(viewer)
-            check_entities(viewer)
-            early = picture(viewer, view, EARLY, path.with_suffix(".early.png"))
-            late = picture(viewer, view, LATE, path)
+            yield connected(port)
         finally:
             process.kill()
             process.wait()
-    share = colored(late)
-    expect(share > COLORED, f"pellets cover {share:.2%} of the view")
+
+
+def imported(recording: Path, path: Path) -> str:
+    """What Rerun makes of a recording by itself: points and curves."""
+
+    def at(seconds: float) -> dict[str, float]:
+        return {"timeline": "message_log_time", "timestamp": seconds}
+
+    with opened(recording) as viewer:
+        view = view_in_space(viewer)
+        check_entities(viewer)
+        early = picture(viewer, view, at(EARLY), path.with_suffix(".early.png"))
+        late = picture(viewer, view, at(LATE), path)
+    covered = colored(late)
+    expect(covered > COLORED, f"pellets cover {covered:.2%} of the view")
     moved = changed(early, late)
     expect(moved > MOVED, f"{moved:.2%} of the view changes between two times")
-    return f"{recording}: pellets cover {share:.1%} of the view, {moved:.1%} changes"
+    return f"{recording}: pellets cover {covered:.1%} of the view, {moved:.1%} changes"
+
+
+def converted(recording: Path, path: Path) -> str:
+    """What `to_rerun` writes: spheres, and equipment that comes and goes."""
+
+    def at(seconds: float) -> dict[str, float]:
+        return {"timeline": "time", "duration": seconds}
+
+    file = pf.to_rerun(recording, path.with_suffix(".rrd"))
+    with opened(file) as viewer:
+        view = view_in_space(viewer)
+        early = picture(viewer, view, at(EARLY), path.with_suffix(".shut.png"))
+        late = picture(viewer, view, at(LATE), path.with_suffix(".open.png"))
+    covered = colored(late)
+    expect(covered > COLORED, f"pellets cover {covered:.2%} of the view")
+    walls = gray(late)
+    expect(walls > GRAY, f"walls cover {walls:.2%} of the view")
+    shut, is_open = orange(early), orange(late)
+    expect(shut > SHUT, f"the gate that is shut covers {shut:.2%} of the view")
+    expect(is_open < OPEN, f"the gate that is open covers {is_open:.2%} of the view")
+    return f"{file}: pellets cover {covered:.1%} of the view, walls {walls:.1%}"
+
+
+def validate(recording: Path, path: Path) -> str:
+    return f"{imported(recording, path)}; {converted(recording, path)}"
 
 
 def main(arguments: list[str]) -> int:

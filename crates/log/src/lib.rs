@@ -52,6 +52,7 @@ pub use hit_summary::HitSummary;
 pub use hits::{RecordedHits, read_hits};
 pub use inspect::{AttachmentInspection, ChannelInspection, Inspection, inspect};
 pub use live::{LIVE_ADDRESS, Live, LiveError};
+pub use message::color::color_on_scale;
 pub use plot::{Axis, Chart, ChartError, Drawing, Scale, Series, SeriesStyle};
 pub use profile::{PhaseCost, Profile};
 pub use report::{Report, ReportCheck, ReportError, ReportRequest, ReportStrength, report};

@@ -2,7 +2,8 @@
 
 mod common;
 
-use common::{plan, record, run_into, setup};
+use common::{GATE_OPENS, plan, record, run_into, setup};
+use nalgebra::Point3;
 use pelletflow_log::{
     Summary, Table, TableKind, Tables, Values, read_frames, read_hits, read_tables,
 };
@@ -70,7 +71,10 @@ fn every_column_of_every_table_has_as_many_rows_and_a_unit_of_its_name() {
             "meters/outflow",
             "mass_ledger",
             "energy_ledger",
-            "events"
+            "events",
+            "walls",
+            "wall_triangles",
+            "wall_edges",
         ]
     );
     for table in &tables.tables {
@@ -208,4 +212,95 @@ fn of_a_recording_that_is_cut_off_the_tables_hold_the_beginning() {
             assert_eq!(table.columns.len(), all.columns.len());
         }
     }
+}
+
+/// Rows of a wall.
+fn rows_of<'a>(table: &'a Table, wall: &'a str) -> impl Iterator<Item = usize> + 'a {
+    (0..table.rows()).filter(move |&row| label(table, "wall", row) == Some(wall))
+}
+
+/// Corners of the pieces of a wall [m].
+fn pieces<'a, const N: usize>(
+    table: &'a Table,
+    wall: &'a str,
+) -> impl Iterator<Item = [Point3<f64>; N]> + 'a {
+    let corner = |row: usize, number: usize| {
+        let along = |axis: &str| f64::from(float32(table, &format!("{axis}{number}_m"))[row]);
+        Point3::new(along("x"), along("y"), along("z"))
+    };
+    rows_of(table, wall).map(move |row| std::array::from_fn(|index| corner(row, index + 1)))
+}
+
+#[test]
+fn a_row_of_the_walls_is_a_change_of_one() {
+    let directory = tempfile::tempdir().expect("a temporary directory can be made");
+    record(directory.path(), 0.1);
+    let tables = read(directory.path());
+    let walls = tables.get("walls").expect("walls are always recorded");
+    let time = float64(walls, "time_s");
+    let is_present = match &walls.column("is_present").expect("it is there").values {
+        Values::Bool(values) => values,
+        other => panic!("{other:?}"),
+    };
+    let rows = |wall| rows_of(walls, wall).collect::<Vec<_>>();
+    let cone = rows("cone");
+    assert_eq!(cone.len(), 1, "it stays");
+    assert!(is_present[cone[0]] && time[cone[0]] == 0.0);
+
+    let [before, after] = rows("gate")[..] else {
+        panic!("it is there, and opens once");
+    };
+    assert!(is_present[before] && time[before] == 0.0);
+    assert!(!is_present[after]);
+    // Told by the first frame from then on.
+    assert!((GATE_OPENS..GATE_OPENS + 0.01).contains(&time[after]));
+
+    let paddle = rows("paddle");
+    assert!(
+        paddle.len() > 10,
+        "it turns between any two of eleven frames"
+    );
+    for row in paddle {
+        // It turns by 6 rad/s about an upright axis through the origin, in single precision.
+        let half = 3.0 * time[row];
+        let expected = [0.0, 0.0, 0.0, 0.0, 0.0, half.sin(), half.cos()];
+        for (name, expected) in ["x_m", "y_m", "z_m", "qx", "qy", "qz", "qw"]
+            .into_iter()
+            .zip(expected)
+        {
+            let found = f64::from(float32(walls, name)[row]);
+            assert!((found - expected).abs() < 1.0e-6, "{name} {found}");
+        }
+    }
+}
+
+#[test]
+fn triangles_and_edges_of_a_box_have_its_surface_and_the_lengths_of_its_sides() {
+    let directory = tempfile::tempdir().expect("a temporary directory can be made");
+    record(directory.path(), 0.01);
+    let tables = read(directory.path());
+    let table = |name| tables.get(name).expect("walls are always recorded");
+    let sides = [0.2, 0.008, 0.04];
+    let area: f64 = pieces::<3>(table("wall_triangles"), "paddle")
+        .map(|[a, b, c]| 0.5 * (b - a).cross(&(c - a)).norm())
+        .sum();
+    let [a, b, c] = sides;
+    let expected = 2.0 * (a * b + b * c + c * a);
+    // Corners are rounded to single precision, 2e-8 m of half a meter, across sides of 8 mm.
+    assert!((area / expected - 1.0).abs() < 1.0e-5, "{area} m²");
+    let length: f64 = pieces::<2>(table("wall_edges"), "paddle")
+        .map(|[from, to]| (to - from).norm())
+        .sum();
+    let expected = 4.0 * sides.iter().sum::<f64>();
+    assert!((length / expected - 1.0).abs() < 1.0e-5, "{length} m");
+}
+
+#[test]
+fn one_kind_of_walls_is_read_without_the_others() {
+    let directory = tempfile::tempdir().expect("a temporary directory can be made");
+    record(directory.path(), 0.01);
+    let path = directory.path().join("run.mcap");
+    let tables = read_tables(path, &[TableKind::WallEdges]).expect("the recording opens");
+    let names: Vec<_> = tables.tables.iter().map(|table| &table.name).collect();
+    assert_eq!(names, ["wall_edges"]);
 }

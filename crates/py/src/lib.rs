@@ -49,6 +49,7 @@ fn _pelletflow(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(score::score_energy, module)?)?;
     module.add_function(wrap_pyfunction!(safe_setting::safe_setting, module)?)?;
     module.add_function(wrap_pyfunction!(recording::read, module)?)?;
+    module.add_function(wrap_pyfunction!(recording::colors, module)?)?;
     module.add_function(wrap_pyfunction!(recording::table_kinds, module)?)?;
     module.add_function(wrap_pyfunction!(simulation::restored, module)?)?;
     module.add_class::<batch::Batch>()?;

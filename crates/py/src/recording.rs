@@ -2,7 +2,8 @@
 
 use crate::batch::Batch;
 use crate::errors;
-use pelletflow_log::{TableKind, read_tables};
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
+use pelletflow_log::{TableKind, color_on_scale, read_tables};
 use pyo3::prelude::*;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -28,4 +29,15 @@ pub(crate) fn read(py: Python<'_>, path: PathBuf, kinds: Vec<String>) -> PyResul
         .map_err(|error| errors::from_read(py, &error, &path))?;
     let batches = tables.tables.into_iter().map(Batch::from).collect();
     Ok((tables.facts, tables.is_cut_off, batches))
+}
+
+/// Colors of shares of the scale, shape (n, 3) [0 to 255].
+#[pyfunction]
+pub(crate) fn colors<'py>(
+    py: Python<'py>,
+    shares: PyReadonlyArray1<'py, f64>,
+) -> PyResult<Bound<'py, PyArray2<u8>>> {
+    let shares = shares.as_array();
+    let channels = shares.iter().flat_map(|&share| color_on_scale(share));
+    PyArray1::from_vec(py, channels.collect()).reshape([shares.len(), 3])
 }

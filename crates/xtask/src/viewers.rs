@@ -34,7 +34,7 @@ pub(crate) fn check(recordings: &Path) -> Result<String> {
         export(&venv, &recording, &folder.join("vtk"))?,
         report(&venv, &recording, &folder.join("report.html"))?,
         watch(&venv)?,
-        rerun(&recording, &folder.join("rerun.png"))?,
+        rerun(&venv, &recording, &folder.join("rerun.png"))?,
     ];
     Ok(told.join("; "))
 }
@@ -73,15 +73,14 @@ fn watch(venv: &Venv) -> Result<String> {
     Ok("a run watched over its web socket".to_owned())
 }
 
-fn rerun(recording: &Path, picture: &Path) -> Result<String> {
+fn rerun(venv: &Venv, recording: &Path, picture: &Path) -> Result<String> {
     if !can_draw_without_a_screen() {
         return Ok(
             "recording not opened by Rerun, as there is no Vulkan driver here (apt install mesa-vulkan-drivers)"
                 .to_owned(),
         );
     }
-    let venv = Venv::with(&["requirements-viewers.txt", "requirements-rerun.txt"])?;
-    let mut look = script(&venv, "validate_rerun.py");
+    let mut look = script(venv, "validate_rerun.py");
     match process::run(look.arg(recording).arg(picture)) {
         Ok(()) => Ok("recording drawn by Rerun".to_owned()),
         Err(error) => match error.downcast_ref::<Failed>() {

@@ -2,12 +2,16 @@
 
 use foxglove::messages::Color;
 
-/// Color of a share of the scale, clamped to 0..1 [-].
-pub(crate) fn on_scale(share: f64) -> Color {
-    let [r, g, b] = colorous::VIRIDIS
+/// Red, green and blue of a share of the scale of a recording, clamped to 0..1 [-].
+pub fn color_on_scale(share: f64) -> [u8; 3] {
+    colorous::VIRIDIS
         .eval_continuous(share.clamp(0.0, 1.0))
         .into_array()
-        .map(|channel| f64::from(channel) / 255.0);
+}
+
+/// Color of a share of the scale, clamped to 0..1 [-].
+pub(crate) fn on_scale(share: f64) -> Color {
+    let [r, g, b] = color_on_scale(share).map(|channel| f64::from(channel) / 255.0);
     Color { r, g, b, a: 1.0 }
 }
 

@@ -10,6 +10,7 @@ mod hits;
 mod series;
 mod table;
 mod unit;
+mod walls;
 
 pub(crate) use bodies::Bodies;
 pub use hits::hits_table;
@@ -27,6 +28,10 @@ use mcap::records::{MessageHeader, Record};
 use series::Series;
 use std::collections::BTreeMap;
 use std::path::{Component, Path};
+use walls::Equipment;
+
+/// Where walls move.
+const TRANSFORMS: &str = "/tf";
 
 /// Kinds of tables that a recording can be read as.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -45,11 +50,17 @@ pub enum TableKind {
     EnergyLedger,
     /// What happened, in words.
     Events,
+    /// Where each wall is, whenever that changes.
+    Walls,
+    /// Triangles of each wall, in its own frame.
+    WallTriangles,
+    /// Sharp edges of each wall, in its own frame.
+    WallEdges,
 }
 
 impl TableKind {
     /// All of them.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 10] = [
         Self::Bodies,
         Self::Hits,
         Self::HitClasses,
@@ -57,6 +68,9 @@ impl TableKind {
         Self::MassLedger,
         Self::EnergyLedger,
         Self::Events,
+        Self::Walls,
+        Self::WallTriangles,
+        Self::WallEdges,
     ];
 
     /// Name of its table; those of meters are called `meters/NAME`.
@@ -69,7 +83,15 @@ impl TableKind {
             Self::MassLedger => "mass_ledger",
             Self::EnergyLedger => "energy_ledger",
             Self::Events => "events",
+            Self::Walls => "walls",
+            Self::WallTriangles => "wall_triangles",
+            Self::WallEdges => "wall_edges",
         }
+    }
+
+    /// Whether it is one of those of the walls, which have their topics in common.
+    fn is_of_equipment(self) -> bool {
+        matches!(self, Self::Walls | Self::WallTriangles | Self::WallEdges)
     }
 }
 
@@ -137,6 +159,10 @@ enum Sink {
     Classes(Classes),
     Series(Series),
     Events(Events),
+    /// Walls that come and go.
+    Equipment,
+    /// Walls that move.
+    Transforms,
 }
 
 struct Reader<'a> {
@@ -144,6 +170,7 @@ struct Reader<'a> {
     schemas: BTreeMap<u16, Vec<u8>>,
     /// The channels asked for, by number, with their topics.
     sinks: BTreeMap<u16, (String, Sink)>,
+    equipment: Equipment,
     facts: BTreeMap<String, String>,
     walls: Vec<String>,
 }
@@ -154,6 +181,7 @@ impl<'a> Reader<'a> {
             kinds,
             schemas: BTreeMap::new(),
             sinks: BTreeMap::new(),
+            equipment: Equipment::default(),
             facts: BTreeMap::new(),
             walls: Vec::new(),
         }
@@ -174,7 +202,11 @@ impl<'a> Reader<'a> {
         {
             return Err("its name is none of a meter".into());
         }
-        if !self.kinds.contains(&kind) || self.sinks.contains_key(&id) {
+        let is_asked = self.kinds.iter().any(|&asked| match kind {
+            TableKind::Walls => asked.is_of_equipment(),
+            _ => asked == kind,
+        });
+        if !is_asked || self.sinks.contains_key(&id) {
             return Ok(());
         }
         let sink = match kind {
@@ -182,6 +214,13 @@ impl<'a> Reader<'a> {
             TableKind::Hits => Sink::Hits(Box::default()),
             TableKind::HitClasses => Sink::Classes(Classes::default()),
             TableKind::Events => Sink::Events(Events::default()),
+            TableKind::Walls | TableKind::WallTriangles | TableKind::WallEdges => {
+                if topic == TRANSFORMS {
+                    Sink::Transforms
+                } else {
+                    Sink::Equipment
+                }
+            }
             TableKind::Meters | TableKind::MassLedger | TableKind::EnergyLedger => {
                 let schema = self.schemas.get(&schema).ok_or("it has no schema")?;
                 Sink::Series(Series::new(name, schema)?)
@@ -212,12 +251,16 @@ impl<'a> Reader<'a> {
             Sink::Classes(classes) => classes.take(data),
             Sink::Series(series) => series.take(time, data),
             Sink::Events(events) => events.take(time, data),
+            Sink::Equipment => self.equipment.take_update(time, data),
+            Sink::Transforms => self.equipment.take_transforms(time, data),
         }
         .map_err(|reason| (topic.clone(), reason))
     }
 
     fn tables(self, is_cut_off: bool) -> Result<Tables, String> {
         let mut tables = Vec::with_capacity(self.sinks.len());
+        let equipment = self.equipment.tables(self.kinds).into_iter();
+        tables.extend(equipment.map(|(kind, table)| (Some(kind), table)));
         for (topic, sink) in self.sinks.into_values() {
             let rank = table_of(&topic).map(|(kind, _)| kind);
             let table = match sink {
@@ -226,6 +269,7 @@ impl<'a> Reader<'a> {
                 Sink::Classes(classes) => classes.table(&self.walls)?,
                 Sink::Series(series) => series.table(),
                 Sink::Events(events) => events.table(),
+                Sink::Equipment | Sink::Transforms => continue,
             };
             tables.push((rank, table));
         }
@@ -240,7 +284,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// The kind of table that a topic becomes, and its name.
+/// The kind of table that a topic becomes, of the equipment the first, and its name.
 fn table_of(topic: &str) -> Option<(TableKind, &str)> {
     let kind = match topic {
         "/pellets" => TableKind::Bodies,
@@ -249,6 +293,7 @@ fn table_of(topic: &str) -> Option<(TableKind, &str)> {
         "/ledger/mass" => TableKind::MassLedger,
         "/ledger/energy" => TableKind::EnergyLedger,
         "/log" => TableKind::Events,
+        "/equipment" | TRANSFORMS => TableKind::Walls,
         _ => {
             let name = topic.strip_prefix('/')?;
             let is_meter = name.starts_with("meters/");
