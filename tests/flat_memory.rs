@@ -79,6 +79,7 @@ fn the_last_quarter_of_a_recorded_run_takes_no_more_memory_than_the_one_before()
         scene_files: &[],
         plan: &plan,
         spheres_up_to: 1000,
+        contacts: false,
         live: None,
     };
     // Pages come and go with every frame, by a percent or two of so small a process: means tell growth from that.

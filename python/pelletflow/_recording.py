@@ -14,11 +14,7 @@ from pelletflow.errors import InputError, RecordingError
 
 @dataclass(frozen=True)
 class Recording:
-    """What a recording holds, as tables.
-
-    Contacts are not recorded, because there are more than twice as many as pellets in every frame;
-    what a contact did from touch to release is a row of `hits`.
-    """
+    """What a recording holds, as tables."""
 
     path: Path
     """The file."""
@@ -33,6 +29,15 @@ class Recording:
     def bodies(self) -> Table:
         """Every pellet in every frame: time, number, place, radius, speed and force."""
         return self._table("bodies")
+
+    @property
+    def contacts(self) -> Table:
+        """Every contact in every frame: the two that touch, place, force on the pellet and overlap.
+
+        Recorded where the scene asks for it, ``contacts = true`` in its ``[output]``.
+        What a contact did from touch to release is a row of `hits`.
+        """
+        return self._table("contacts")
 
     @property
     def hits(self) -> Table:
@@ -92,7 +97,12 @@ class Recording:
             return self.tables[name]
         except KeyError:
             pass
-        if name in ("hits", "hit_classes"):
+        if name == "contacts":
+            cure = (
+                "the run recorded none (`contacts = true` in its [output] does), "
+                "or `only` left them out"
+            )
+        elif name in ("hits", "hit_classes"):
             cure = (
                 "the run followed no hits (`hits = false` in its [output]), or `only` left them out"
             )
@@ -126,9 +136,9 @@ def read(path: str | os.PathLike[str], *, only: Iterable[str] | None = None) -> 
 
     Args:
         path: The recording, ``run.mcap``, or the folder of the run.
-        only: Kinds of tables to read: ``bodies``, ``hits``, ``hit_classes``, ``meters``,
-            ``mass_ledger``, ``energy_ledger``, ``events``, ``walls``, ``wall_triangles``,
-            ``wall_edges``; all if None.
+        only: Kinds of tables to read: ``bodies``, ``contacts``, ``hits``, ``hit_classes``,
+            ``meters``, ``mass_ledger``, ``energy_ledger``, ``events``, ``walls``,
+            ``wall_triangles``, ``wall_edges``; all if None.
 
     Raises:
         RecordingError: The file cannot be read, is no recording or is damaged.

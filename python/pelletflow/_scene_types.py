@@ -240,6 +240,9 @@ class OutputSpec(TypedDict, total=False):
     checkpoint_interval: float | str
     """Time by the wall clock between checkpoints, from which a run that was killed can be resumed [s]; 10 min where none is given, and 0 where only an interruption is to write one."""
 
+    contacts: bool
+    """Whether every contact is recorded in every frame; false where nothing is said."""
+
     frame_interval: float | str
     """Time between recorded frames [s]; chosen from the length of the run where none is given."""
 

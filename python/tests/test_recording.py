@@ -11,7 +11,7 @@ import pytest
 def output(box, tmp_path):
     """A heap of sixty pellets, with a meter of the force on the floor, run and recorded."""
     box["meters"] = {"load": {"kind": "wall-force", "wall": "floor"}}
-    box["output"] = {"hits_above": 1.0}
+    box["output"] = {"hits_above": 1.0, "contacts": True}
     return pf.run(box, output=tmp_path / "out")
 
 
@@ -45,6 +45,24 @@ def test_meters_and_ledgers_end_as_the_summary_does(output):
     assert recording.events["level"][0] == "information"
     assert recording.facts["scene_hash"] == output.summary["scene_hash"]
     assert recording.hit_classes["count"].sum() >= recording.hits.rows
+
+
+def test_contacts_bear_the_heap_and_name_one_partner_each(output):
+    contacts = output.read(only=["contacts"]).contacts
+    assert contacts.units["normal_force_n"] == "N"
+    on_floor = contacts["wall"] == "floor"
+    assert np.array_equal(np.ma.getmaskarray(contacts["partner"]), on_floor)
+    at_end = contacts["time_s"] == contacts["time_s"].max()
+    load = contacts["force_z_n"][on_floor & at_end].sum()
+    # As the meter of the floor reads it, to the digits that are recorded.
+    meter = output.read(only=["meters"]).meters["load"]["force_z_n"][-1]
+    assert load == pytest.approx(-meter, rel=2e-4)
+
+
+def test_a_run_that_recorded_no_contacts_says_how_to(drop, tmp_path):
+    recording = pf.run(drop, output=tmp_path).read()
+    with pytest.raises(pf.RecordingError, match="contacts = true"):
+        _ = recording.contacts
 
 
 def test_a_floor_is_one_wall_that_stays_and_is_drawn_of_level_triangles(output):
@@ -106,9 +124,9 @@ def test_what_is_no_recording_is_refused_by_its_own_error(tmp_path):
 
 def test_a_kind_of_table_that_is_none_is_told_with_those_that_are(output):
     with pytest.raises(pf.InputError, match="bodies") as caught:
-        output.read(only=["contacts"])
+        output.read(only=["pellets"])
     assert caught.value.key == "only"
-    assert caught.value.value == "contacts"
+    assert caught.value.value == "pellets"
 
 
 def test_a_notebook_shows_the_tables_of_a_recording_and_the_summary_of_a_run(output):

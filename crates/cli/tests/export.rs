@@ -3,7 +3,7 @@
 mod common;
 
 use common::{Call, call};
-use pelletflow_log::{read_frames, read_hits};
+use pelletflow_log::{TableKind, read_frames, read_hits, read_tables};
 use std::fs;
 use std::path::Path;
 use tempfile::TempDir;
@@ -15,7 +15,7 @@ fn recording() -> TempDir {
     let scene = text.split("[expect]").next().expect("the scene itself");
     fs::write(directory.path().join("hopper.toml"), scene).expect("writable");
     let mut run = vec!["run", "hopper.toml", "-o", "out", "-q"];
-    for setting in ["time.end=0.2", "fill.bed.count=100"] {
+    for setting in ["time.end=0.2", "fill.bed.count=100", "output.contacts=true"] {
         run.extend(["--set", setting]);
     }
     good(directory.path(), &run);
@@ -71,10 +71,56 @@ fn a_spreadsheet_holds_every_pellet_of_every_frame_to_the_last_digit() {
 }
 
 #[test]
+fn contacts_that_were_asked_for_are_a_table_and_others_are_none() {
+    let directory = recording();
+    export(directory.path(), "csv");
+    let text = fs::read_to_string(directory.path().join("csv/contacts.csv")).expect("a table");
+    let mut lines = text.lines();
+    let names = "time_s,pellet,partner,wall,x_m,y_m,z_m,normal_force_n,force_x_n,force_y_n,force_z_n,overlap_m";
+    assert_eq!(lines.next(), Some(names));
+    let mut rows = 0;
+    for line in lines {
+        let cells: Vec<&str> = line.split(',').collect();
+        // Either another pellet or a wall.
+        assert!(cells[2].is_empty() != cells[3].is_empty(), "{line}");
+        rows += 1;
+    }
+    let read = read_tables(
+        directory.path().join("out/run.mcap"),
+        &[TableKind::Contacts],
+    );
+    let read = read.expect("it opens");
+    assert_eq!(read.tables[0].rows(), rows);
+    assert!(rows > 0, "pellets lie on the cone");
+
+    let run = [
+        "run",
+        "hopper.toml",
+        "-o",
+        "plain",
+        "-q",
+        "--set",
+        "time.end=0.01",
+    ];
+    good(directory.path(), &run);
+    let arguments = [
+        "export",
+        "plain/run.mcap",
+        "--format",
+        "csv",
+        "-o",
+        "plain-csv",
+    ];
+    good(directory.path(), &arguments);
+    assert!(directory.path().join("plain-csv/bodies.csv").is_file());
+    assert!(!directory.path().join("plain-csv/contacts.csv").exists());
+}
+
+#[test]
 fn parquet_files_begin_and_end_as_such() {
     let directory = recording();
     export(directory.path(), "parquet");
-    for name in ["bodies", "hits", "meters/discharge"] {
+    for name in ["bodies", "contacts", "hits", "meters/discharge"] {
         let path = directory.path().join(format!("parquet/{name}.parquet"));
         let bytes = fs::read(path).expect("a table");
         assert!(
@@ -96,7 +142,11 @@ fn a_collection_names_files_that_are_there_for_every_frame() {
         "{}",
         told.output
     );
-    for (list, least) in [("pellets.pvd", frames), ("walls.pvd", frames)] {
+    for (list, least) in [
+        ("pellets.pvd", frames),
+        ("walls.pvd", frames),
+        ("contacts.pvd", frames),
+    ] {
         let text = fs::read_to_string(folder.join(list)).expect("a list");
         let files: Vec<&str> = text
             .split("file=\"")

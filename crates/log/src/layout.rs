@@ -140,6 +140,14 @@ fn scene_panel(view: &View) -> Value {
             "/equipment": { "visible": true },
             "/hits/worst": { "visible": true },
             "/pellets/spheres": { "visible": view.has_spheres },
+            "/contacts": {
+                "visible": false,
+                "colorMode": "gradient",
+                "colorField": "force",
+                "gradient": [slowest, fastest],
+                "pointShape": "circle",
+                "pointSize": 6,
+            },
             // Points stand in for spheres where there are too many pellets; seen from afar they would stick out of them.
             "/pellets": {
                 "visible": view.has_points,

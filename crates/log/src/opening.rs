@@ -6,7 +6,7 @@ use crate::live::{Live, Program};
 use crate::output::{Output, sync_directory};
 use crate::patches;
 use crate::provenance::{FORMAT, FORMAT_KEY};
-use crate::recording::{CarryError, Mark, Recording, Title};
+use crate::recording::{CarryError, Drawn, Mark, Recording, Title};
 use crate::records::Records;
 use crate::run::RunRequest;
 use mcap::McapError;
@@ -134,8 +134,11 @@ pub(crate) fn record(
         BufWriter::new(file),
         model.setup(),
         &title,
-        request.spheres_up_to,
-        model.time_step().expected_speed,
+        Drawn {
+            spheres_up_to: request.spheres_up_to,
+            full_speed: model.time_step().expected_speed,
+            contacts: request.contacts,
+        },
         live,
     )
     .map_err(|error| RunError::output(&path, as_io(error)))?;

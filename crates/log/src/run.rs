@@ -39,6 +39,8 @@ pub struct RunRequest<'a> {
     pub plan: &'a RunPlan,
     /// Spheres of true size are recorded of at most this many pellets [-].
     pub spheres_up_to: usize,
+    /// Whether every contact is recorded in every frame.
+    pub contacts: bool,
     /// Where the run can be watched while it goes on; nowhere if it is not given.
     pub live: Option<&'a Live>,
 }
@@ -139,6 +141,7 @@ impl Beginning {
         observer: &mut dyn FnMut(&Progress) -> ControlFlow<()>,
     ) -> Result<Summary, RunError> {
         let began = Instant::now();
+        simulation.show_contacts(request.contacts);
         let (recording, file) = match &self.earlier {
             None => opening::begin(output, simulation, request)?,
             Some(earlier) => opening::go_on(output, simulation, request, earlier)?,

@@ -24,6 +24,7 @@ fn request<'a>(directory: &'a Path, plan: &'a RunPlan) -> RunRequest<'a> {
         scene_files: &[],
         plan,
         spheres_up_to: 1000,
+        contacts: false,
         live: None,
     }
 }

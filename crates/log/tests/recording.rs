@@ -85,6 +85,7 @@ fn every_message_decodes_by_its_schema() {
     assert_eq!(
         topics,
         [
+            "/contacts",
             "/equipment",
             "/ledger/energy",
             "/ledger/mass",

@@ -57,6 +57,7 @@ fn request<'a>(directory: &'a Path, plan: &'a RunPlan, scene_text: &'a str) -> R
         plan,
         // Fewer than there are at first: spheres come in the middle of the run.
         spheres_up_to: 50,
+        contacts: true,
         live: None,
     }
 }
@@ -236,7 +237,7 @@ fn frames_are_kept_as_asked_for_whether_or_not_the_run_was_interrupted() {
     let expected: Vec<_> = whole
         .iter()
         .filter(|message| match message.0.as_str() {
-            "/pellets" | "/pellets/spheres" | "/tf" => is_kept(message.1),
+            "/pellets" | "/pellets/spheres" | "/contacts" | "/tf" => is_kept(message.1),
             _ => true,
         })
         .map(|(topic, time, _, bytes)| (topic, time, bytes))

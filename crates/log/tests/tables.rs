@@ -2,12 +2,12 @@
 
 mod common;
 
-use common::{GATE_OPENS, plan, record, run_into, setup};
+use common::{GATE_OPENS, plan, record, run_into, setup, simulation};
 use nalgebra::Point3;
 use pelletflow_log::{
     Summary, Table, TableKind, Tables, Values, read_frames, read_hits, read_tables,
 };
-use pelletflow_sim::{HitPartner, HitRequest};
+use pelletflow_sim::{ContactPartner, ContactView, HitPartner, HitRequest};
 use std::fs;
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -40,6 +40,13 @@ fn float32<'a>(table: &'a Table, column: &str) -> &'a [f32] {
     }
 }
 
+fn uint32<'a>(table: &'a Table, column: &str) -> &'a [u32] {
+    match &table.column(column).expect("the column is there").values {
+        Values::UInt32(values) => values,
+        other => panic!("{column} is {other:?}"),
+    }
+}
+
 /// The name in a row; none where it has none.
 fn label<'a>(table: &'a Table, column: &str, row: usize) -> Option<&'a str> {
     let column = table.column(column).expect("the column is there");
@@ -65,6 +72,7 @@ fn every_column_of_every_table_has_as_many_rows_and_a_unit_of_its_name() {
         names,
         [
             "bodies",
+            "contacts",
             "hits",
             "hit_classes",
             "meters/cone-load",
@@ -211,6 +219,69 @@ fn of_a_recording_that_is_cut_off_the_tables_hold_the_beginning() {
             assert!(table.rows() <= all.rows());
             assert_eq!(table.columns.len(), all.columns.len());
         }
+    }
+}
+
+#[test]
+fn contacts_are_those_that_the_step_before_each_frame_found() {
+    let directory = tempfile::tempdir().expect("a temporary directory can be made");
+    record(directory.path(), 0.3);
+    let tables = read(directory.path());
+    let contacts = tables.get("contacts").expect("they were asked for");
+    let (time, mut row) = (float64(contacts, "time_s"), 0);
+    let mut again = simulation(setup(60));
+    again.show_contacts(true);
+    for frame in read_frames(directory.path().join("run.mcap")).expect("it opens") {
+        let frame = frame.expect("frames can be read");
+        let steps = (frame.time / again.model().time_step().seconds).round() as u64;
+        again
+            .advance(steps - again.step_count())
+            .expect("the hopper is sound");
+        for contact in again.contacts() {
+            assert_eq!(time[row], frame.time);
+            assert_is_told(&contact, contacts, row);
+            row += 1;
+        }
+    }
+    assert_eq!(row, contacts.rows());
+    let with_walls = (0..row).filter(|&row| label(contacts, "wall", row).is_some());
+    let with_walls = with_walls.count();
+    assert!(
+        with_walls > 20 && row - with_walls > 20,
+        "{with_walls} of {row}"
+    );
+}
+
+/// A row of the table tells a contact, to the digits that are recorded.
+fn assert_is_told(contact: &ContactView, table: &Table, row: usize) {
+    assert_eq!(uint32(table, "pellet")[row], contact.pellet);
+    let partner = table.column("partner").expect("it is there");
+    let wall = label(table, "wall", row);
+    match contact.partner {
+        ContactPartner::Pellet(id) => {
+            assert!(partner.is_known(row) && uint32(table, "partner")[row] == id);
+            assert_eq!(wall, None);
+        }
+        ContactPartner::Wall(index) => {
+            assert!(!partner.is_known(row));
+            assert_eq!(wall, Some(["cone", "gate", "paddle"][index]));
+        }
+    }
+    let value = |column: &str| f64::from(float32(table, column)[row]);
+    for (axis, name) in ["x_m", "y_m", "z_m"].into_iter().enumerate() {
+        // A thousandth of the radius.
+        assert!((value(name) - contact.point[axis]).abs() < 1.0e-3 * contact.radius);
+    }
+    for (name, expected) in [
+        ("normal_force_n", contact.normal_force),
+        ("force_x_n", contact.force.x),
+        ("force_y_n", contact.force.y),
+        ("force_z_n", contact.force.z),
+        ("overlap_m", contact.overlap),
+    ] {
+        // One part in eight thousand.
+        let error = (value(name) - expected).abs();
+        assert!(error <= 1.3e-4 * expected.abs(), "{name}: {error}");
     }
 }
 

@@ -34,6 +34,7 @@ pub(crate) fn run<'py>(
         scene_files: &scene.files,
         plan: &scene.plan,
         spheres_up_to: scene.output.spheres_up_to,
+        contacts: scene.output.contacts,
         live: None,
     };
 

@@ -30,6 +30,7 @@ pub mod workspace;
 
 mod advance;
 mod chunk;
+mod contact_view;
 mod deposit;
 mod exchange;
 mod fill;
@@ -48,6 +49,7 @@ mod tally;
 mod validate;
 mod wall_contacts;
 
+pub use contact_view::{ContactPartner, ContactView};
 pub use error::{SetupError, StepError};
 pub use hit::{Cause, Hit, HitClass, HitClassKey, HitLedger, HitPartner, HitRequest};
 pub use integrator::Integrator;

@@ -7,6 +7,7 @@
     reason = "what is not inlined is not compiled for the instruction set"
 )]
 
+use crate::contact_view::KeptContact;
 use crate::hit;
 use crate::memory::ContactMemory;
 use crate::model::Model;
@@ -216,9 +217,21 @@ fn add_batch(
     let limit = model.setup().limits.overlap_ratio;
     let is_noteworthy = batch.exceeds_force(touches.len(), tally.noteworthy_force())
         || batch.exceeds_overlap(touches.len(), tally.noteworthy_overlap_ratio(limit));
-    if is_noteworthy {
-        for (lane, touch) in touches.iter().enumerate() {
+    if is_noteworthy || share.keeps_contacts {
+        look(share, batch, touches, is_noteworthy);
+    }
+}
+
+/// Looks at the contacts of a batch: for records that they may hold, and for those who asked to see them.
+#[cold]
+#[inline(never)]
+fn look(share: &mut Share, batch: &Batch, touches: &[Touch], is_noteworthy: bool) {
+    for (lane, touch) in touches.iter().enumerate() {
+        if is_noteworthy {
             look_closely(share, batch, lane, *touch);
+        }
+        if share.keeps_contacts {
+            keep(share, batch, lane, *touch);
         }
     }
 }
@@ -285,9 +298,22 @@ fn add_loads(share: &mut Share, batch: &Batch, touches: &[Touch]) {
     }
 }
 
+/// Keeps a contact of a batch, if it is the chunk's to count.
+fn keep(share: &mut Share, batch: &Batch, lane: usize, touch: Touch) {
+    let (a, b) = ends(share, touch);
+    if is_counted(&share.range, a, b) {
+        share.scratch.kept.push(KeptContact {
+            pellet: a,
+            partner: Partner::Pellet(b),
+            ends: [share.pellets.position[a], share.pellets.position[b]],
+            normal: batch.lie(lane).0,
+            overlap: batch.overlap(lane),
+            force: batch.force(lane),
+        });
+    }
+}
+
 /// Looks at a contact of a batch that may hold a record.
-#[cold]
-#[inline(never)]
 fn look_closely(share: &mut Share, batch: &Batch, lane: usize, touch: Touch) {
     let (model, pellets) = (share.model, share.pellets);
     let (a, b) = ends(share, touch);

@@ -23,6 +23,8 @@ pub(crate) struct Share<'a> {
     /// The chunk's pellets.
     pub(crate) range: Range<usize>,
     pub(crate) list: &'a ChunkList,
+    /// Whether contacts are kept for those who look.
+    pub(crate) keeps_contacts: bool,
     pub(crate) contacts: &'a mut ChunkContacts,
     pub(crate) scratch: &'a mut ChunkScratch,
     pub(crate) half_step_velocity: &'a mut [Row],
@@ -102,6 +104,7 @@ pub(crate) fn each_chunk(
         spin: &pellets.spin,
     };
     let (step, walls, size) = (*step, workspace.walls.as_slice(), chunk::size(count));
+    let keeps_contacts = workspace.keeps_contacts;
     let shares = chunk::ranges(count)
         .zip(&workspace.lists)
         .zip(contacts)
@@ -120,6 +123,7 @@ pub(crate) fn each_chunk(
                 pellets: columns,
                 range,
                 list,
+                keeps_contacts,
                 contacts,
                 scratch,
                 half_step_velocity: own_velocity,

@@ -1,6 +1,7 @@
 //! Model, state and workspace together.
 
 use crate::books::Books;
+use crate::contact_view::{self, ContactView};
 use crate::error::{SetupError, StepError};
 use crate::fill;
 use crate::hash;
@@ -26,6 +27,8 @@ pub struct Simulation {
     workspace: Workspace,
     /// Threads; none where one is enough.
     pool: Option<ThreadPool>,
+    /// Whether somebody looks at contacts.
+    shows_contacts: bool,
 }
 
 /// A wall at one instant.
@@ -78,6 +81,7 @@ impl Simulation {
             state,
             workspace,
             pool,
+            shows_contacts: false,
         })
     }
 
@@ -99,10 +103,15 @@ impl Simulation {
             state,
             workspace,
             pool,
+            shows_contacts,
         } = self;
         let run = || {
+            for chunk in &mut workspace.chunks {
+                chunk.kept.clear();
+            }
             let mut left = steps;
             while left > 0 {
+                workspace.keeps_contacts = *shows_contacts && left == 1;
                 left -= step(model, state, workspace, left)?;
             }
             Ok(())
@@ -122,6 +131,7 @@ impl Simulation {
             state,
             workspace,
             pool,
+            shows_contacts: false,
         }
     }
 
@@ -175,6 +185,22 @@ impl Simulation {
             spin: vector(&pellets.spin[index]),
             max_normal_force: self.workspace.load(index, pellets.len()).force[3],
         })
+    }
+
+    /// Has the last step of each [`advance`](Self::advance) keep its contacts from now on, or no more.
+    pub fn show_contacts(&mut self, is_shown: bool) {
+        self.shows_contacts = is_shown;
+    }
+
+    /// Contacts as the last step found them, before it moved the pellets, in the order of their numbers; each pair of
+    /// pellets once. None unless they are [shown](Self::show_contacts), and before the first step.
+    pub fn contacts(&self) -> Vec<ContactView> {
+        let kept = self.workspace.chunks.iter().flat_map(|chunk| &chunk.kept);
+        let mut contacts: Vec<_> = kept
+            .map(|contact| contact.view(&self.state.pellets.id))
+            .collect();
+        contact_view::sort(&mut contacts);
+        contacts
     }
 
     /// Walls, in the order of the setup.

@@ -1,10 +1,11 @@
 //! Contacts between pellets and walls.
 
+use crate::contact_view::KeptContact;
 use crate::hit;
 use crate::meter::WallTouch;
 use crate::pair_contacts::add_load;
 use crate::share::Share;
-use crate::state::vector;
+use crate::state::{Row, vector};
 use crate::tally::{DeepestContact, Partner};
 use crate::workspace::NearWall;
 use pelletflow_core::contact::batch::{Batch, LANES};
@@ -260,12 +261,30 @@ fn work_out(share: &mut Share, waiting: &mut Waiting) {
             &batch.torques(lane)[0],
         );
         enter(share, batch, lane, found, is_first);
+        if share.keeps_contacts {
+            keep(share, batch, lane, found);
+        }
     }
     let tally = &mut share.scratch.tally;
     tally.totals.add(&batch.totals(*count));
     tally.open += *count as u64;
     tally.open_with_walls += *count as u64;
     *count = 0;
+}
+
+/// Keeps a contact for those who asked to see it.
+#[cold]
+#[inline(never)]
+fn keep(share: &mut Share, batch: &Batch, lane: usize, found: &Found) {
+    let pellet = share.range.start + found.local;
+    share.scratch.kept.push(KeptContact {
+        pellet,
+        partner: Partner::Wall(found.wall),
+        ends: [share.pellets.position[pellet], Row::default()],
+        normal: batch.lie(lane).0,
+        overlap: batch.overlap(lane),
+        force: batch.force(lane),
+    });
 }
 
 /// Enters what one contact does to its wall, and what meters see of it.

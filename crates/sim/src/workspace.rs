@@ -1,6 +1,7 @@
 //! Scratch: deleting it changes no answer.
 
 use crate::chunk;
+use crate::contact_view::KeptContact;
 use crate::hit::Ended;
 use crate::profile::{ChunkClock, Profile};
 use crate::state::Row;
@@ -28,6 +29,8 @@ pub struct Workspace {
     pub(crate) walls: Vec<WallNow>,
     /// Whether stages run in parallel.
     pub(crate) is_parallel: bool,
+    /// Whether the step at work keeps its contacts for those who look.
+    pub(crate) keeps_contacts: bool,
     /// Wall-clock time of each stage.
     pub(crate) profile: Profile,
 }
@@ -63,6 +66,8 @@ pub(crate) struct ChunkScratch {
     pub(crate) tally: Tally,
     /// Contacts that ended in this step.
     pub(crate) ended: Vec<Ended>,
+    /// Contacts of the last step that kept them.
+    pub(crate) kept: Vec<KeptContact>,
     /// Time of its stages.
     pub(crate) clock: ChunkClock,
 }

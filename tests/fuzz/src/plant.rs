@@ -24,6 +24,7 @@ pub(crate) fn request<'a>(directory: &'a Path, plan: &'a RunPlan) -> RunRequest<
         scene_files: &[],
         plan,
         spheres_up_to: SCENE.output.spheres_up_to,
+        contacts: SCENE.output.contacts,
         live: None,
     }
 }

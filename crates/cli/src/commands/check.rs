@@ -18,10 +18,11 @@ const SPEED: [f64; 2] = [1.0e6, 6.0e6];
 const MEMORY_PER_PELLET: f64 = 1.0e3;
 const MEMORY_AT_REST: f64 = 3.0e7;
 
-/// What a recording takes of a pellet in a frame, compressed: in a dense flow, all channels but the spheres, and the spheres
-/// [B].
+/// What a recording takes of a pellet in a frame, compressed: in a dense flow, all channels but the spheres and contacts,
+/// the spheres, and its contacts [B].
 const BYTES_OF_PELLET: f64 = 12.0;
 const BYTES_OF_SPHERE: f64 = 30.0;
+const BYTES_OF_CONTACTS: f64 = 40.0;
 
 /// Validates a scene and shows what a run will do.
 pub(crate) fn check(arguments: &CheckArguments) -> Result<Exit, Failure> {
@@ -89,11 +90,7 @@ impl Forecast {
             steps,
             frames,
             kept_frames: kept_frames(scene).map(|kept| kept.min(frames)),
-            frame_bytes: if pellets <= scene.output.spheres_up_to as f64 {
-                pellets * (BYTES_OF_PELLET + BYTES_OF_SPHERE)
-            } else {
-                pellets * BYTES_OF_PELLET
-            },
+            frame_bytes: pellets * bytes_of_pellet(scene, pellets),
             threads,
             memory: MEMORY_AT_REST + MEMORY_PER_PELLET * (filled + fed),
             wall_time: SPEED.map(|speed| particle_steps / (speed * threads as f64)),
@@ -272,4 +269,20 @@ fn kept_frames(scene: &Scene) -> Option<f64> {
         .map(|reach| WORST_HITS as f64 * frames_within(2.0 * reach, scene) + 1.0);
     let asked: Vec<f64> = of_last.into_iter().chain(around).collect();
     (!asked.is_empty()).then(|| 1.0 + asked.into_iter().sum::<f64>())
+}
+
+/// What a frame of so many pellets takes of each [B].
+fn bytes_of_pellet(scene: &Scene, pellets: f64) -> f64 {
+    let output = &scene.output;
+    let spheres = if pellets <= output.spheres_up_to as f64 {
+        BYTES_OF_SPHERE
+    } else {
+        0.0
+    };
+    let contacts = if output.contacts {
+        BYTES_OF_CONTACTS
+    } else {
+        0.0
+    };
+    BYTES_OF_PELLET + spheres + contacts
 }

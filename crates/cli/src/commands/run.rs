@@ -37,6 +37,7 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<Exit, Failure> {
         scene_files: &scene.files,
         plan: &scene.plan,
         spheres_up_to: scene.output.spheres_up_to,
+        contacts: scene.output.contacts,
         live: live.as_ref(),
     };
     let earlier = going_on::earlier(&request, arguments)?;

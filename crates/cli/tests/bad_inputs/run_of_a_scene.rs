@@ -87,7 +87,7 @@ pub(crate) const ROWS: &[Spoiled] = &[
     (r#"frame_interval = "20 ms""#, "hits_above = 0", "64: output.hits_above: `hits_above` is 0; expected more than 0 N and at most 1e12 N"),
     (r#"frame_interval = "20 ms""#, "spheres_up_to = -1", "64: output.spheres_up_to: `spheres_up_to` is -1; expected at least 0"),
     (r#"frame_interval = "20 ms""#, "checkpoint_interval = -1", "64: output.checkpoint_interval: `checkpoint_interval` is -1; expected at least 0 s and at most 1e6 s"),
-    (r#"frame_interval = "20 ms""#, "interval = 1", "64: output.interval: unknown key `interval`; expected `checkpoint_interval`, `frame_interval`, `frames_around_worst_hits`, `frames_of_last`, `hits`, `hits_above`, `meter_interval` or `spheres_up_to`"),
+    (r#"frame_interval = "20 ms""#, "interval = 1", "64: output.interval: unknown key `interval`; expected `checkpoint_interval`, `contacts`, `frame_interval`, `frames_around_worst_hits`, `frames_of_last`, `hits`, `hits_above`, `meter_interval` or `spheres_up_to`"),
     (r#"frame_interval = "20 ms""#, r#"frames_of_last = "1 h""#, "64: output.frames_of_last: `frames_of_last` is 3600 s; expected at most `end`"),
     (r#"frame_interval = "20 ms""#, "hits = false\nframes_around_worst_hits = \"1 s\"", "does nothing where `hits` is false"),
     (r#"frame_interval = "20 ms""#, "frame_interval = \"20 ms\"\nframes_around_worst_hits = \"9 ms\"", "at least half of the time between frames, 0.01 s"),

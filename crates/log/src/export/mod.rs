@@ -1,6 +1,6 @@
 //! A recording as files of other programs: VTK for `ParaView`, CSV for spreadsheets, Parquet for data frames.
 //!
-//! Pellets are read frame by frame and written at once, so that memory does not grow with the recording.
+//! Pellets and contacts are read frame by frame and written at once, so that memory does not grow with the recording.
 
 mod csv;
 mod parquet;
@@ -9,13 +9,18 @@ mod vtk;
 
 use crate::error::ReadError;
 use crate::frames::read_frames;
+use crate::message::seconds;
 use crate::provenance;
-use crate::tables::{Bodies, Table, TableKind, Tables, read_tables};
+use crate::records::Records;
+use crate::tables::{
+    Bodies, CONTACTS, CONTACTS_METADATA, Contacts, Table, TableKind, Tables, read_tables, walls_of,
+};
+use mcap::records::Record;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-/// Rows of pellets that are held before they are written [-].
+/// Rows of pellets or contacts that are held before they are written [-].
 const ROWS_AT_ONCE: usize = 500_000;
 
 /// What a recording is written as.
@@ -88,7 +93,7 @@ trait Sheet {
     fn finish(self) -> io::Result<()>;
 }
 
-/// Writes all tables of a recording, pellets in parts.
+/// Writes all tables of a recording, pellets and contacts in parts.
 fn tables<S: Sheet>(
     recording: &Path,
     output: &mut Output,
@@ -96,7 +101,7 @@ fn tables<S: Sheet>(
 ) -> Result<Exported, ExportError> {
     let kinds: Vec<TableKind> = TableKind::ALL
         .into_iter()
-        .filter(|kind| *kind != TableKind::Bodies)
+        .filter(|kind| !matches!(kind, TableKind::Bodies | TableKind::Contacts))
         .collect();
     let tables = read_tables(recording, &kinds)?;
     for table in &tables.tables {
@@ -107,14 +112,20 @@ fn tables<S: Sheet>(
             sheet.finish()
         })?;
     }
-    let name = format!("{}.{}", TableKind::Bodies.name(), S::ENDING);
-    let path = output.path(&name);
-    let failed = |source| ExportError::Output {
-        path: path.clone(),
-        source,
+    let begin = |output: &mut Output, empty: &Table| {
+        Parts::begin(output, empty, |file, table| create(file, table, &tables))
     };
-    let file = output.file(&name)?;
-    let mut sheet = create(file, &Bodies::default().table(), &tables).map_err(failed)?;
+    let frames = bodies(recording, begin(output, &Bodies::default().table())?)?;
+    contacts(recording, |empty| begin(output, empty))?;
+    Ok(Exported {
+        files: std::mem::take(&mut output.files),
+        frames,
+        is_cut_off: tables.is_cut_off,
+    })
+}
+
+/// Writes all pellets of all frames; how many frames there are.
+fn bodies<S: Sheet>(recording: &Path, mut parts: Parts<S>) -> Result<usize, ExportError> {
     let mut bodies = Bodies::default();
     let mut frames = 0;
     for frame in read_frames(recording)? {
@@ -122,18 +133,97 @@ fn tables<S: Sheet>(
         bodies.push(frame.time, &frame.pellets);
         frames += 1;
         if bodies.rows() >= ROWS_AT_ONCE {
-            sheet
-                .append(&std::mem::take(&mut bodies).table())
-                .map_err(failed)?;
+            parts.append(&std::mem::take(&mut bodies).table())?;
         }
     }
-    sheet.append(&bodies.table()).map_err(failed)?;
-    sheet.finish().map_err(failed)?;
-    Ok(Exported {
-        files: std::mem::take(&mut output.files),
-        frames,
-        is_cut_off: tables.is_cut_off,
-    })
+    parts.append(&bodies.table())?;
+    parts.finish()?;
+    Ok(frames)
+}
+
+/// Writes all contacts of all frames, where they were recorded.
+fn contacts<S: Sheet>(
+    recording: &Path,
+    begin: impl FnOnce(&Table) -> Result<Parts<S>, ExportError>,
+) -> Result<(), ExportError> {
+    let damaged = |reason: String| ReadError::Damaged {
+        path: recording.into(),
+        reason: format!("the contacts: {reason}"),
+    };
+    let (mut walls, mut channel) = (Vec::new(), None);
+    let mut contacts = Contacts::default();
+    let mut begin = Some(begin);
+    let mut parts = None;
+    let mut records = Records::open(recording)?;
+    while let Some(record) = records.next()? {
+        match record {
+            Record::Metadata(metadata) if metadata.name == CONTACTS_METADATA => {
+                walls = walls_of(&metadata.metadata).map_err(damaged)?;
+            }
+            Record::Channel(opened) if opened.topic == CONTACTS => {
+                channel = Some(opened.id);
+                if let Some(begin) = begin.take() {
+                    let empty = Contacts::default().table(&walls).map_err(damaged)?;
+                    parts = Some(begin(&empty)?);
+                }
+            }
+            Record::Message { header, data } if Some(header.channel_id) == channel => {
+                let time = seconds(header.log_time);
+                contacts.take(time, &data).map_err(damaged)?;
+            }
+            _ => {}
+        }
+        if contacts.rows() >= ROWS_AT_ONCE
+            && let Some(parts) = &mut parts
+        {
+            let full = std::mem::take(&mut contacts);
+            parts.append(&full.table(&walls).map_err(damaged)?)?;
+        }
+    }
+    if let Some(mut parts) = parts {
+        parts.append(&contacts.table(&walls).map_err(damaged)?)?;
+        parts.finish()?;
+    }
+    Ok(())
+}
+
+/// A table that is written in parts, so that memory does not grow with it.
+struct Parts<S> {
+    sheet: S,
+    path: PathBuf,
+}
+
+impl<S: Sheet> Parts<S> {
+    /// Begins the file of a table of which no row is known yet.
+    fn begin(
+        output: &mut Output,
+        empty: &Table,
+        create: impl FnOnce(BufWriter<File>, &Table) -> io::Result<S>,
+    ) -> Result<Self, ExportError> {
+        let name = format!("{}.{}", empty.name, S::ENDING);
+        let path = output.path(&name);
+        match create(output.file(&name)?, empty) {
+            Ok(sheet) => Ok(Self { sheet, path }),
+            Err(source) => Err(ExportError::Output { path, source }),
+        }
+    }
+
+    fn append(&mut self, table: &Table) -> Result<(), ExportError> {
+        let path = &self.path;
+        self.sheet
+            .append(table)
+            .map_err(|source| ExportError::Output {
+                path: path.clone(),
+                source,
+            })
+    }
+
+    fn finish(self) -> Result<(), ExportError> {
+        let Self { sheet, path } = self;
+        sheet
+            .finish()
+            .map_err(|source| ExportError::Output { path, source })
+    }
 }
 
 /// The directory of an export.

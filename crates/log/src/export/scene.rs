@@ -1,4 +1,4 @@
-//! A recording as files of VTK: pellets and walls of each frame, and the hits.
+//! A recording as files of VTK: pellets, contacts and walls of each frame, and the hits.
 
 use super::vtk::{Array, Collection, PolyData};
 use super::{ExportError, Exported, Output};
@@ -6,7 +6,9 @@ use crate::error::ReadError;
 use crate::frames::PelletRecord;
 use crate::message::{pellets, seconds};
 use crate::records::Records;
-use crate::tables::{Table, TableKind, Values, read_tables};
+use crate::tables::{
+    CONTACTS, CONTACTS_METADATA, Contacts, Table, TableKind, Values, read_tables, walls_of,
+};
 use crate::walls::{WallPlace, WallSurface, Walls};
 use foxglove::messages::{FrameTransforms, PointCloud, SceneUpdate};
 use mcap::records::Record;
@@ -15,13 +17,21 @@ use prost::Message;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// Writes `pellets.pvd`, `walls.pvd` and `hits.vtp`, and the files that they name.
+/// Writes `pellets.pvd`, `walls.pvd` and `hits.vtp`, where contacts were recorded `contacts.pvd`, and the files that they
+/// name.
 pub(super) fn write(recording: &Path, output: &mut Output) -> Result<Exported, ExportError> {
     let mut exporter = Exporter::default();
     let mut records = Records::open(recording)?;
     let mut topics = BTreeMap::new();
     while let Some(record) = records.next()? {
         match record {
+            Record::Metadata(metadata) if metadata.name == CONTACTS_METADATA => {
+                exporter.walls_of_contacts =
+                    walls_of(&metadata.metadata).map_err(|reason| ReadError::Damaged {
+                        path: recording.into(),
+                        reason: format!("the contacts: {reason}"),
+                    })?;
+            }
             Record::Channel(channel) => {
                 topics.insert(channel.id, channel.topic);
             }
@@ -39,6 +49,9 @@ pub(super) fn write(recording: &Path, output: &mut Output) -> Result<Exported, E
     }
     output.write("pellets.pvd", |file| exporter.pellets.write(file))?;
     output.write("walls.pvd", |file| exporter.walls_over_time.write(file))?;
+    if !exporter.contacts.is_empty() {
+        output.write("contacts.pvd", |file| exporter.contacts.write(file))?;
+    }
     let hits = read_tables(recording, &[TableKind::Hits])?;
     if let Some(table) = hits.get(TableKind::Hits.name()) {
         output.write("hits.vtp", |file| points_of(table).write(file))?;
@@ -59,6 +72,8 @@ struct Exporter {
     frames: usize,
     pellets: Collection,
     walls_over_time: Collection,
+    walls_of_contacts: Vec<String>,
+    contacts: Collection,
 }
 
 impl Exporter {
@@ -79,6 +94,14 @@ impl Exporter {
             "/tf" => {
                 let transforms = FrameTransforms::decode(data).map_err(undecoded)?;
                 self.walls.take_transforms(transforms);
+            }
+            CONTACTS => {
+                let mut contacts = Contacts::default();
+                contacts.take(time, data).map_err(&damaged)?;
+                let table = contacts.table(&self.walls_of_contacts).map_err(damaged)?;
+                let name = format!("contacts/contacts_{:06}.vtp", self.contacts.len());
+                output.write_part(&name, |file| points_of(&table).write(file))?;
+                self.contacts.push(time, 0, &name);
             }
             "/pellets" => {
                 let cloud = PointCloud::decode(data).map_err(undecoded)?;
@@ -157,7 +180,7 @@ fn placed(surface: &WallSurface, place: &WallPlace) -> PolyData {
     }
 }
 
-/// Hits as points, with every number that is known of all of them.
+/// Hits or contacts as points, with every number that is known of all of them.
 fn points_of(table: &Table) -> PolyData {
     let axes =
         ["x_m", "y_m", "z_m"].map(

@@ -122,6 +122,16 @@ impl Collection {
         self.entries.push((time, part, file.to_owned()));
     }
 
+    /// Number of files [-].
+    pub(super) fn len(&self) -> usize {
+        self.entries.len()
+    }
+
+    /// Whether it names no file.
+    pub(super) fn is_empty(&self) -> bool {
+        self.entries.is_empty()
+    }
+
     /// Writes a `.pvd` file.
     pub(super) fn write(&self, mut file: BufWriter<File>) -> io::Result<()> {
         writeln!(file, "<?xml version=\"1.0\"?>")?;

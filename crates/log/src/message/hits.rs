@@ -118,7 +118,7 @@ columns! {
 }
 
 /// Index of a wall as it is written; of none, and of one beyond all numbers, that of no wall.
-fn wall_number(wall: Option<usize>) -> i32 {
+pub(super) fn wall_number(wall: Option<usize>) -> i32 {
     wall.and_then(|wall| i32::try_from(wall).ok())
         .unwrap_or(NO_WALL)
 }

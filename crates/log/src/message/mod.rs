@@ -1,6 +1,8 @@
 //! One file per channel: what is recorded, turned into the message that viewers know.
 
+mod cloud;
 pub(crate) mod color;
+pub(crate) mod contacts;
 pub(crate) mod equipment;
 pub(crate) mod event;
 pub(crate) mod hits;

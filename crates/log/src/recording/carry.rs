@@ -97,6 +97,7 @@ impl<W: Write + Seek> Recording<W> {
             return;
         }
         let hits = self.hit_channels.as_mut();
+        let contacts = self.contacts_channel.as_mut();
         let place = match topic {
             "/pellets" => &mut self.pellets_channel,
             "/pellets/spheres" => &mut self.spheres_channel,
@@ -108,6 +109,8 @@ impl<W: Write + Seek> Recording<W> {
             _ => {
                 if let Some(meter) = topic.strip_prefix("/meters/") {
                     self.meter_channels.insert(meter.into(), channel);
+                } else if let Some(place) = contacts.filter(|_| topic == "/contacts") {
+                    *place = channel;
                 } else if let Some(place) = hits.and_then(|hits| hits.of(topic)) {
                     *place = channel;
                 }
@@ -148,7 +151,7 @@ impl Message<'_> {
     /// Whether it is a part of a frame, and nobody misses it where the rest of that is left out.
     fn is_of_frame(&self) -> bool {
         match self.topic {
-            "/pellets" | "/tf" => true,
+            "/pellets" | "/contacts" | "/tf" => true,
             // Spheres that are taken away would else stay forever.
             "/pellets/spheres" => !spheres::is_removal(self.bytes),
             _ => false,

@@ -1,7 +1,7 @@
 //! Where everything is at one moment, copied so that the run can go on while it is written.
 
 use pelletflow_core::{Pose, Vec3};
-use pelletflow_sim::{EnergyLedger, MassLedger, Simulation};
+use pelletflow_sim::{ContactView, EnergyLedger, MassLedger, Simulation};
 
 /// What is drawn of a pellet.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,6 +25,8 @@ pub(crate) struct Frame {
     pub(crate) time: f64,
     /// Pellets, in the order in which they are stored.
     pub(crate) pellets: Vec<DrawnPellet>,
+    /// Contacts in the order of numbers, where they are shown.
+    pub(crate) contacts: Vec<ContactView>,
     /// Where each wall is, in the order of the setup.
     pub(crate) poses: Vec<Pose>,
     pub(crate) mass: MassLedger,
@@ -44,6 +46,7 @@ impl Frame {
             force: pellet.max_normal_force,
         });
         self.pellets.extend(pellets);
+        self.contacts = simulation.contacts();
         self.poses.clear();
         self.poses.extend(simulation.walls().map(|wall| wall.pose));
         self.mass = simulation.mass_ledger();

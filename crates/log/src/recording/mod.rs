@@ -16,8 +16,9 @@ use crate::hits::{IS_SOFTENED, METADATA, THRESHOLD, WALLS};
 use crate::live::Program;
 use crate::message::equipment::Equipment;
 use crate::message::event::{self, Gravity};
-use crate::message::{hits, nanoseconds, pellets, series, spheres, transforms, worst};
+use crate::message::{contacts, hits, nanoseconds, pellets, series, spheres, transforms, worst};
 use crate::provenance::RUN_METADATA;
+use crate::tables::{CONTACTS, CONTACTS_METADATA};
 use crate::worst_hits::in_words;
 use channel::{Channel, Foxglove, channel_for};
 use mcap::records::Metadata;
@@ -46,6 +47,17 @@ pub(crate) struct Title<'a> {
     pub(crate) facts: BTreeMap<String, String>,
 }
 
+/// What is drawn in a frame.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Drawn {
+    /// Spheres are drawn of at most so many pellets [-].
+    pub(crate) spheres_up_to: usize,
+    /// Speed that has the last color [m/s].
+    pub(crate) full_speed: f64,
+    /// Whether contacts are drawn.
+    pub(crate) contacts: bool,
+}
+
 /// A recording being written.
 pub(crate) struct Recording<W: Write + Seek> {
     writer: MessageWriter<W>,
@@ -64,6 +76,7 @@ pub(crate) struct Recording<W: Write + Seek> {
     energy_channel: Option<Channel>,
     meter_channels: BTreeMap<String, Channel>,
     hit_channels: Option<HitChannels>,
+    contacts_channel: Option<Channel>,
 }
 
 /// Topics of hits, where they are followed.
@@ -77,14 +90,12 @@ struct HitChannels {
 impl<W: Write + Seek> Recording<W> {
     /// Starts the file with its metadata and attachments, so that even a killed run has them.
     ///
-    /// Spheres are drawn for at most `spheres_up_to` pellets, and `full_speed` [m/s] has the last color. What is written is
-    /// also shown, where there is someone to watch.
+    /// What is written is also shown, where there is someone to watch.
     pub(crate) fn start(
         writer: W,
         setup: &Setup,
         title: &Title,
-        spheres_up_to: usize,
-        full_speed: f64,
+        drawn: Drawn,
         live: Option<Program>,
     ) -> McapResult<Self> {
         let mut writer = WriteOptions::new()
@@ -122,11 +133,16 @@ impl<W: Write + Seek> Recording<W> {
             energy_channel: None,
             meter_channels: BTreeMap::new(),
             hit_channels: hit_channels(&mut writer, setup)?,
+            contacts_channel: contacts_channel(&mut writer, setup, drawn)?,
             equipment: Equipment::of(setup),
             wall_names: setup.walls.iter().map(|wall| wall.name.clone()).collect(),
             has_moving_walls: setup.walls.iter().any(|wall| wall.motion.is_moving()),
-            spheres_up_to,
-            full_speed: if full_speed > 0.0 { full_speed } else { 1.0 },
+            spheres_up_to: drawn.spheres_up_to,
+            full_speed: if drawn.full_speed > 0.0 {
+                drawn.full_speed
+            } else {
+                1.0
+            },
             has_spheres: false,
             writer,
         })
@@ -147,6 +163,10 @@ impl<W: Write + Seek> Recording<W> {
         let message = pellets::message(frame.time, &frame.pellets);
         self.pellets_channel
             .write(&mut self.writer, time, &message)?;
+        if let Some(channel) = &mut self.contacts_channel {
+            let message = contacts::message(frame.time, &frame.contacts);
+            channel.write(&mut self.writer, time, &message)?;
+        }
         let may_have_spheres = frame.pellets.len() <= self.spheres_up_to;
         if may_have_spheres {
             let message = spheres::message(frame.time, &frame.pellets, self.full_speed);
@@ -278,6 +298,28 @@ impl<W: Write + Seek> Recording<W> {
     }
 }
 
+/// Opens the topic of contacts and says what goes with them, if they are drawn.
+fn contacts_channel<W: Write + Seek>(
+    writer: &mut MessageWriter<W>,
+    setup: &Setup,
+    drawn: Drawn,
+) -> McapResult<Option<Channel>> {
+    if !drawn.contacts {
+        return Ok(None);
+    }
+    writer.write_metadata(&Metadata {
+        name: CONTACTS_METADATA.into(),
+        metadata: BTreeMap::from([(WALLS.into(), names_of_walls(setup))]),
+    })?;
+    channel_for(writer, CONTACTS, Foxglove::PointCloud).map(Some)
+}
+
+/// Names of the walls by index, as a JSON list.
+fn names_of_walls(setup: &Setup) -> String {
+    let names: Vec<&str> = setup.walls.iter().map(|wall| wall.name.as_str()).collect();
+    serde_json::json!(names).to_string()
+}
+
 /// Opens the topics of hits and says what goes with them, if the run follows them.
 fn hit_channels<W: Write + Seek>(
     writer: &mut MessageWriter<W>,
@@ -286,13 +328,12 @@ fn hit_channels<W: Write + Seek>(
     let Some(request) = &setup.hits else {
         return Ok(None);
     };
-    let walls: Vec<&str> = setup.walls.iter().map(|wall| wall.name.as_str()).collect();
     writer.write_metadata(&Metadata {
         name: METADATA.into(),
         metadata: BTreeMap::from([
             (THRESHOLD.into(), request.threshold.to_string()),
             (IS_SOFTENED.into(), setup.is_softened().to_string()),
-            (WALLS.into(), serde_json::json!(walls).to_string()),
+            (WALLS.into(), names_of_walls(setup)),
         ]),
     })?;
     Ok(Some(HitChannels {

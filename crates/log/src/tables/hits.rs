@@ -79,7 +79,7 @@ impl Classes {
 }
 
 /// Names of walls by index; none where the partner is a pellet, whose index is negative.
-fn wall_names(indices: &[i32], walls: &[String]) -> Result<Column, String> {
+pub(super) fn wall_names(indices: &[i32], walls: &[String]) -> Result<Column, String> {
     let is_wall = indices.iter().map(|index| *index >= 0).collect();
     let indices = indices
         .iter()
@@ -100,7 +100,7 @@ fn named(name: String, indices: Vec<u32>, labels: &[String], what: &str) -> Resu
         .find(|index| **index as usize >= labels.len())
     {
         return Err(format!(
-            "its hits tell of {what} {unknown}; it knows {} from 0 on",
+            "its rows tell of {what} {unknown}; it knows {} from 0 on",
             labels.len()
         ));
     }

@@ -1,10 +1,11 @@
 //! A recording as tables: named columns of one type each, with units, for data frames and files of other programs.
 //!
 //! One pass reads all that is asked for.
-//! Contacts are not recorded, because there are more than twice as many as pellets in every frame; what a contact did
-//! from touch to release is a row of the hits.
+//! Contacts are recorded only where that was asked for, because there may be more than twice as many as pellets in every
+//! frame; what a contact did from touch to release is a row of the hits.
 
 mod bodies;
+mod contacts;
 mod events;
 mod hits;
 mod series;
@@ -13,6 +14,7 @@ mod unit;
 mod walls;
 
 pub(crate) use bodies::Bodies;
+pub(crate) use contacts::{CONTACTS, CONTACTS_METADATA, Contacts, walls_of};
 pub use hits::hits_table;
 pub use table::{Column, Table, Values};
 pub(crate) use unit::{unit_of, words_of};
@@ -38,6 +40,8 @@ const TRANSFORMS: &str = "/tf";
 pub enum TableKind {
     /// Every pellet in every frame.
     Bodies,
+    /// Every contact in every frame, where that was asked for.
+    Contacts,
     /// Hits kept in full.
     Hits,
     /// The last sketch of all hits, by partner and force.
@@ -60,8 +64,9 @@ pub enum TableKind {
 
 impl TableKind {
     /// All of them.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Bodies,
+        Self::Contacts,
         Self::Hits,
         Self::HitClasses,
         Self::Meters,
@@ -77,6 +82,7 @@ impl TableKind {
     pub fn name(self) -> &'static str {
         match self {
             Self::Bodies => "bodies",
+            Self::Contacts => "contacts",
             Self::Hits => "hits",
             Self::HitClasses => "hit_classes",
             Self::Meters => "meters",
@@ -155,6 +161,7 @@ pub fn read_tables(path: impl AsRef<Path>, kinds: &[TableKind]) -> Result<Tables
 /// What becomes of the messages of one channel.
 enum Sink {
     Bodies(Bodies),
+    Contacts(Contacts),
     Hits(Box<Hits>),
     Classes(Classes),
     Series(Series),
@@ -172,7 +179,9 @@ struct Reader<'a> {
     sinks: BTreeMap<u16, (String, Sink)>,
     equipment: Equipment,
     facts: BTreeMap<String, String>,
+    /// Names of the walls that hits tell of, and contacts.
     walls: Vec<String>,
+    walls_of_contacts: Vec<String>,
 }
 
 impl<'a> Reader<'a> {
@@ -184,6 +193,7 @@ impl<'a> Reader<'a> {
             equipment: Equipment::default(),
             facts: BTreeMap::new(),
             walls: Vec::new(),
+            walls_of_contacts: Vec::new(),
         }
     }
 
@@ -211,6 +221,7 @@ impl<'a> Reader<'a> {
         }
         let sink = match kind {
             TableKind::Bodies => Sink::Bodies(Bodies::default()),
+            TableKind::Contacts => Sink::Contacts(Contacts::default()),
             TableKind::Hits => Sink::Hits(Box::default()),
             TableKind::HitClasses => Sink::Classes(Classes::default()),
             TableKind::Events => Sink::Events(Events::default()),
@@ -235,6 +246,8 @@ impl<'a> Reader<'a> {
             self.facts = facts;
         } else if name == METADATA {
             self.walls = HitFacts::read(&facts)?.walls;
+        } else if name == CONTACTS_METADATA {
+            self.walls_of_contacts = walls_of(&facts)?;
         }
         Ok(())
     }
@@ -247,6 +260,7 @@ impl<'a> Reader<'a> {
         let time = seconds(header.log_time);
         match sink {
             Sink::Bodies(bodies) => bodies.take(time, data),
+            Sink::Contacts(contacts) => contacts.take(time, data),
             Sink::Hits(hits) => hits.take(data),
             Sink::Classes(classes) => classes.take(data),
             Sink::Series(series) => series.take(time, data),
@@ -265,6 +279,7 @@ impl<'a> Reader<'a> {
             let rank = table_of(&topic).map(|(kind, _)| kind);
             let table = match sink {
                 Sink::Bodies(bodies) => bodies.table(),
+                Sink::Contacts(contacts) => contacts.table(&self.walls_of_contacts)?,
                 Sink::Hits(hits) => hits.table(&self.walls)?,
                 Sink::Classes(classes) => classes.table(&self.walls)?,
                 Sink::Series(series) => series.table(),
@@ -288,6 +303,7 @@ impl<'a> Reader<'a> {
 fn table_of(topic: &str) -> Option<(TableKind, &str)> {
     let kind = match topic {
         "/pellets" => TableKind::Bodies,
+        CONTACTS => TableKind::Contacts,
         "/hits" => TableKind::Hits,
         "/hits/classes" => TableKind::HitClasses,
         "/ledger/mass" => TableKind::MassLedger,

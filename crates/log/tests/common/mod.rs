@@ -186,6 +186,7 @@ pub(crate) fn run_into(
         scene_files: &[],
         plan,
         spheres_up_to,
+        contacts: true,
         live: None,
     };
     run(&mut simulation(setup), &request, observer)

@@ -55,6 +55,8 @@ pub(crate) enum Unresolved {
 pub struct OutputOptions {
     /// Number of pellets up to which they are recorded as spheres of true size [-].
     pub spheres_up_to: usize,
+    /// Whether every contact is recorded in every frame.
+    pub contacts: bool,
 }
 
 /// What a pellet withstands.

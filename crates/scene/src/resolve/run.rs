@@ -208,6 +208,7 @@ impl Resolver<'_> {
     pub(super) fn output(&self) -> OutputOptions {
         OutputOptions {
             spheres_up_to: self.spec.output.spheres_up_to.unwrap_or(SPHERES_UP_TO),
+            contacts: self.spec.output.contacts.unwrap_or(false),
         }
     }
 }

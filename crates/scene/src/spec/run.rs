@@ -59,6 +59,8 @@ pub(crate) struct OutputSpec {
     pub(crate) meter_interval: Option<Duration>,
     /// Number of pellets up to which they are recorded as spheres of true size [-]; 2000 where none is given.
     pub(crate) spheres_up_to: Option<usize>,
+    /// Whether every contact is recorded in every frame; false where nothing is said.
+    pub(crate) contacts: Option<bool>,
     /// Whether every contact is followed from first touch to release and recorded; true where nothing is said.
     pub(crate) hits: Option<bool>,
     /// Greatest normal force from which on every hit is recorded in full [N]; a tenth of the strength's load where none

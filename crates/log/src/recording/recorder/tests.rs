@@ -5,7 +5,7 @@ use crate::checkpoint::{Identity, Keeper, Spent};
 use crate::counts_before::CountsBefore;
 use crate::logbook::Logbook;
 use crate::message::event::Gravity;
-use crate::recording::{DrawnPellet, Recording, Title};
+use crate::recording::{Drawn, DrawnPellet, Recording, Title};
 use crate::run::RunRequest;
 use mcap::{McapError, McapResult};
 use pelletflow_core::{Bounds, ContactLaws, Material, PairProperties, Shape, Vec3};
@@ -133,8 +133,13 @@ fn record<W: Write + Seek + Send>(
         layout: "",
         facts: BTreeMap::new(),
     };
-    let recording = Recording::start(disk, &setup(), &title, PELLETS as usize, 1.0, None)
-        .expect("these disks take the title");
+    let drawn = Drawn {
+        spheres_up_to: PELLETS as usize,
+        full_speed: 1.0,
+        contacts: false,
+    };
+    let recording =
+        Recording::start(disk, &setup(), &title, drawn, None).expect("these disks take the title");
     thread::scope(|scope| {
         let mut recorder = Recorder::start(scope, recording).expect("a thread can be started");
         feed(&mut recorder);
@@ -307,6 +312,7 @@ fn no_checkpoint_is_due_while_one_waits_for_the_disk() {
         scene_files: &[],
         plan: &plan,
         spheres_up_to: 0,
+        contacts: false,
         live: None,
     };
     let mut keeper = Keeper::new(
