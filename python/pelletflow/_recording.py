@@ -34,7 +34,8 @@ class Recording:
     def contacts(self) -> Table:
         """Every contact in every frame: the two that touch, place, force on the pellet and overlap.
 
-        Recorded where the scene asks for it, ``contacts = true`` in its ``[output]``.
+        Recorded where the scene asks for it, ``contacts = true`` in its ``[output]``; the first
+        frame has none, nor the last of a run that failed.
         What a contact did from touch to release is a row of `hits`.
         """
         return self._table("contacts")

@@ -6,6 +6,7 @@ Its package is imported when the first one is written.
 from __future__ import annotations
 
 import os
+import uuid
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -22,6 +23,20 @@ if TYPE_CHECKING:
 
 #: What pellets can be colored by: the column, and its unit.
 COLORED_BY = {"speed": ("speed_m_per_s", "m/s"), "force": ("force_n", "N")}
+#: Tables that are drawn.
+DRAWN = (
+    "bodies",
+    "walls",
+    "wall_triangles",
+    "wall_edges",
+    "hits",
+    "meters",
+    "mass_ledger",
+    "energy_ledger",
+    "events",
+)
+#: The oldest Rerun that has all that is asked of it.
+NEEDED = (0, 41)
 #: Share of the values below the end of the scale [-]: one fast pellet leaves the others theirs.
 BELOW_FULL = 0.99
 #: Walls that stay, and those that move, run or open [0 to 255]; seen through up to four surfaces.
@@ -49,7 +64,8 @@ def to_rerun(
     """Write a recording for Rerun: spheres of true size, equipment, curves and the hardest hits.
 
     Rerun opens ``run.mcap`` itself, and draws pellets as points without the equipment around them.
-    Needs the package ``rerun-sdk``; then ``rerun run.rrd`` shows it.
+    Needs the package ``rerun-sdk`` 0.41 or newer, and so Python 3.11; then ``rerun run.rrd``
+    shows it. Contacts are not drawn.
 
     >>> import pelletflow as pf
     >>> values = {"time.end": "20 ms", "expect": {}}
@@ -66,7 +82,8 @@ def to_rerun(
         The file.
 
     Raises:
-        InputError: ``rerun-sdk`` is missing, or `color_by` is neither.
+        InputError: ``rerun-sdk`` is missing or too old, `color_by` is neither, or `path` is the
+            recording itself.
         RecordingError: The file cannot be read, is no recording or is damaged.
         OutputError: The file cannot be written.
 
@@ -74,25 +91,42 @@ def to_rerun(
     if color_by not in COLORED_BY:
         known = ", ".join(f"`{name}`" for name in COLORED_BY)
         raise InputError(f"color_by is {color_by!r}; expected {known}", "color_by", color_by)
+    rerun = _imported()
+    tables = recording if isinstance(recording, Recording) else read(recording, only=DRAWN)
+    file = tables.path.with_suffix(".rrd") if path is None else Path(path)
+    _check(file, tables.path)
+    scale = _Scale(tables.bodies, color_by)
+    # A name of its own for every file: Rerun shows two of the same name as one.
+    stream = rerun.RecordingStream("pelletflow", recording_id=uuid.uuid4())
+    try:
+        stream.save(file, default_blueprint=_blueprint(tables, scale))
+        stream.log("/", rerun.ViewCoordinates.RIGHT_HAND_Z_UP, static=True)
+        _pellets(stream, tables, scale)
+        _equipment(stream, tables)
+        _hits(stream, tables)
+        _curves(stream, tables)
+        _events(stream, tables)
+    finally:
+        stream.flush()
+        stream.disconnect()
+    return file
+
+
+def _imported() -> Any:
     try:
         import rerun
     except ImportError as error:
-        raise InputError("Rerun is not there; pip install rerun-sdk", "rerun") from error
-    tables = recording if isinstance(recording, Recording) else read(recording)
-    file = tables.path.with_suffix(".rrd") if path is None else Path(path)
-    stream = rerun.RecordingStream("pelletflow", recording_id=tables.facts["scene_hash"])
-    scale = _Scale(tables.bodies, color_by)
-    _check(file)
-    stream.save(file, default_blueprint=_blueprint(tables, scale))
-    stream.log("/", rerun.ViewCoordinates.RIGHT_HAND_Z_UP, static=True)
-    _pellets(stream, tables, scale)
-    _equipment(stream, tables)
-    _hits(stream, tables)
-    _curves(stream, tables)
-    _events(stream, tables)
-    stream.flush()
-    stream.disconnect()
-    return file
+        raise InputError(
+            "Rerun is not there; pip install 'rerun-sdk>=0.41', for Python 3.11 or newer", "rerun"
+        ) from error
+    found = tuple(int(part) for part in rerun.__version__.split(".")[:2])
+    if found < NEEDED:
+        raise InputError(
+            f"Rerun is {rerun.__version__}; expected 0.41 or newer: pip install 'rerun-sdk>=0.41'",
+            "rerun",
+            rerun.__version__,
+        )
+    return rerun
 
 
 class _Scale:
@@ -101,6 +135,8 @@ class _Scale:
     def __init__(self, bodies: Table, color_by: str) -> None:
         self.column, unit = COLORED_BY[color_by]
         values = bodies[self.column]
+        # Most pellets of a thin flow feel no force.
+        values = values[values > 0.0]
         self.full = float(np.quantile(values, BELOW_FULL)) if values.size else 0.0
         self.words = f"pellets by {color_by}, yellow from {self.full:.3g} {unit}"
 
@@ -109,8 +145,14 @@ class _Scale:
         return _pelletflow.colors(shares)
 
 
-def _check(file: Path) -> None:
-    """Rerun says neither where it could not write nor why."""
+def _check(file: Path, recording: Path) -> None:
+    """Refuse a file that cannot be written: Rerun says neither where nor why."""
+    if file.exists() and recording.exists() and file.samefile(recording):
+        raise InputError(
+            f"{file} is the recording itself; choose another file, such as {file.stem}.rrd",
+            "path",
+            str(file),
+        )
     try:
         file.open("ab").close()
     except OSError as error:
@@ -154,9 +196,12 @@ def _pellets(stream: rerun.RecordingStream, tables: Recording, scale: _Scale) ->
     times = bodies["time_s"]
     places = np.column_stack([bodies[name] for name in ("x_m", "y_m", "z_m")])
     radii, colors = bodies["radius_m"], scale(bodies[scale.column])
-    # Frames of an empty hopper have no row of a pellet.
-    for time in tables.mass_ledger["time_s"]:
+    # Of an empty hopper there is no row of a pellet; of a frame that was not kept neither.
+    ledger = tables.mass_ledger
+    for time, inside in zip(ledger["time_s"], ledger["inside"], strict=True):
         rows = slice(*np.searchsorted(times, [time, np.nextafter(time, np.inf)]))
+        if rows.start == rows.stop and inside > 0:
+            continue
         stream.set_time("time", duration=time)
         stream.log("pellets", rerun.Points3D(places[rows], radii=radii[rows], colors=colors[rows]))
 

@@ -44,6 +44,29 @@ def test_spheres_are_where_and_as_large_as_the_recording_has_them(output, tmp_pa
     assert np.array_equal(np.concatenate(radii).astype(np.float32), bodies["radius_m"])
 
 
+def test_frames_that_were_not_kept_leave_the_pellets_where_they_were(box, tmp_path):
+    box["output"] = {"frames_of_last": 0.05}
+    output = pf.run(box, output=tmp_path / "out")
+    file = pf.to_rerun(output.output)
+    recording = output.read(only=["bodies", "mass_ledger"])
+    times, places = values_of(file, "/pellets", "Points3D:positions")
+    kept = np.unique(recording.bodies["time_s"])
+    assert np.allclose(times, kept, rtol=0.0, atol=1e-6)
+    assert len(kept) < recording.mass_ledger.rows
+    assert all(len(row) == 60 for row in places)
+
+
+def test_pellets_that_have_left_are_gone_from_the_last_frame(drop, tmp_path):
+    drop["outlets"] = {
+        "below": {"region": {"kind": "box", "min": [-1, -1, -1], "max": [1, 1, 0.05]}}
+    }
+    output = pf.run(drop, output=tmp_path / "out")
+    assert output.summary["bodies"]["inside"] == 0
+    _, places = values_of(pf.to_rerun(output.output), "/pellets", "Points3D:positions")
+    assert len(places[0]) == 1
+    assert places[-1] == []
+
+
 def test_a_gate_is_drawn_of_its_triangles_until_it_opens(output, tmp_path):
     file = pf.to_rerun(output.read(), tmp_path / "run.rrd")
     (begin,), (corners,) = values_of(file, "/equipment/gate/surface", "Mesh3D:vertex_positions")
@@ -81,9 +104,38 @@ def test_colors_are_those_of_what_was_asked_for(output, tmp_path):
     assert forces[0][0] == 0x440154FF  # the first color of viridis
 
 
+def test_a_hit_of_one_pellet_has_a_color_of_its_own(drop, tmp_path):
+    drop["output"] = {"frame_interval": 1e-4}
+    output = pf.run(drop, output=tmp_path / "out")
+    _, forces = values_of(
+        pf.to_rerun(output.output, color_by="force"), "/pellets", "Points3D:colors"
+    )
+    bodies = output.read(only=["bodies"]).bodies
+    touching = bodies["force_n"] > 0
+    # Fewer than the share of the values above the scale.
+    assert 0 < touching.sum() < 0.01 * len(touching)
+    assert len({color[0] for color in forces}) > 1
+
+
+def test_the_recording_itself_is_never_written_over(output):
+    recording = output.output / "run.mcap"
+    before = recording.read_bytes()
+    with pytest.raises(pf.InputError, match="the recording itself") as caught:
+        pf.to_rerun(recording, recording)
+    assert caught.value.key == "path"
+    assert recording.read_bytes() == before
+
+
+def test_a_rerun_that_is_too_old_is_told_with_the_cure(output, tmp_path, monkeypatch):
+    monkeypatch.setattr("rerun.__version__", "0.22.1")
+    with pytest.raises(pf.InputError, match=r"0\.41 or newer") as caught:
+        pf.to_rerun(output.output, tmp_path / "run.rrd")
+    assert caught.value.value == "0.22.1"
+
+
 def test_rerun_that_is_missing_is_told_with_the_cure(output, tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "rerun", None)
-    with pytest.raises(pf.InputError, match="pip install rerun-sdk"):
+    with pytest.raises(pf.InputError, match="pip install 'rerun-sdk"):
         pf.to_rerun(output.output, tmp_path / "run.rrd")
 
 

@@ -21,9 +21,15 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pelletflow as pf
-import rerun_cli
 from PIL import Image
-from rerun.experimental import ViewerClient
+
+try:
+    import rerun_cli
+    from rerun.experimental import ViewerClient
+except ImportError as error:
+    # Python 3.10 has no Rerun that is new enough.
+    print(f"NO VIEWER: {error}")
+    sys.exit(3)
 
 # The viewer itself: what lies on the path only starts it, and leaves it behind when it is stopped.
 PROGRAM = Path(rerun_cli.__file__).with_name("rerun")

@@ -39,10 +39,15 @@ impl HitFacts {
                 .parse()
                 .map_err(|error| format!("its `{THRESHOLD}` is no force: {error}"))?,
             is_softened: entry(IS_SOFTENED) == "true",
-            walls: serde_json::from_str(entry(WALLS))
-                .map_err(|error| format!("its `{WALLS}` are no list of names: {error}"))?,
+            walls: names_of_walls(metadata)?,
         })
     }
+}
+
+/// Names of the walls, by index, in metadata that has them; what is wrong with it.
+pub(crate) fn names_of_walls(metadata: &BTreeMap<String, String>) -> Result<Vec<String>, String> {
+    serde_json::from_str(metadata.get(WALLS).map_or("", String::as_str))
+        .map_err(|error| format!("its `{WALLS}` are no list of names: {error}"))
 }
 
 /// A wall as a partner of a pellet, by its index, in words.

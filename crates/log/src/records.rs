@@ -7,8 +7,8 @@ use std::fs::File;
 use std::io::{BufReader, Read};
 use std::path::{Path, PathBuf};
 
-/// Longest record, and longest chunk once it is open, that is believed of a file that is shorter [B]: a frame of five
-/// million pellets has less than half of that.
+/// Longest record, and longest chunk once it is open, that is believed of a file that is shorter [B]: a frame of three
+/// million pellets, their contacts among them, has no more than that.
 const LONGEST: usize = 512 << 20;
 /// Bytes read at once at most [B].
 const BLOCK: usize = 1 << 20;

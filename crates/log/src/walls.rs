@@ -40,45 +40,53 @@ impl WallPlace {
 pub(crate) struct Walls {
     surfaces: Vec<WallSurface>,
     places: Vec<WallPlace>,
+    /// Walls by the name of their frame.
+    by_frame: BTreeMap<String, usize>,
     /// Poses told before their wall was, by the name of their frame.
     poses: BTreeMap<String, [f32; 7]>,
 }
 
 impl Walls {
-    /// Takes a message of `/equipment`.
-    pub(crate) fn take_update(&mut self, update: SceneUpdate) {
+    /// Takes a message of `/equipment`; the walls that it tells of.
+    pub(crate) fn take_update(&mut self, update: SceneUpdate) -> Vec<usize> {
+        let mut told = Vec::with_capacity(update.entities.len());
         for deletion in &update.deletions {
-            if let Some(index) = self.index(&deletion.id) {
+            if let Some(&index) = self.by_frame.get(&wall_frame(&deletion.id)) {
                 self.places[index].is_present = false;
+                told.push(index);
             }
         }
         for entity in update.entities {
-            let index = self.index(&entity.id).unwrap_or_else(|| {
+            let frame = wall_frame(&entity.id);
+            let pose = self.poses.get(&frame).copied();
+            let index = *self.by_frame.entry(frame).or_insert_with(|| {
                 self.surfaces.push(surface(entity));
                 self.places.push(WallPlace::UNKNOWN);
                 self.surfaces.len() - 1
             });
-            self.places[index].is_present = true;
-            if let Some(pose) = self.poses.get(&wall_frame(&self.surfaces[index].name)) {
-                self.places[index].pose = *pose;
-            }
+            let place = &mut self.places[index];
+            place.is_present = true;
+            place.pose = pose.unwrap_or(place.pose);
+            told.push(index);
         }
+        told
     }
 
-    /// Takes a message of `/tf`.
-    pub(crate) fn take_transforms(&mut self, transforms: FrameTransforms) {
+    /// Takes a message of `/tf`; the walls that it tells of.
+    pub(crate) fn take_transforms(&mut self, transforms: FrameTransforms) -> Vec<usize> {
+        let mut told = Vec::with_capacity(transforms.transforms.len());
         for transform in transforms.transforms {
             let by = transform.translation.unwrap_or_default();
             let turn = transform.rotation.unwrap_or_default();
             let pose = [by.x, by.y, by.z, turn.x, turn.y, turn.z, turn.w].map(|value| value as f32);
-            let name = transform.child_frame_id;
-            for (surface, place) in self.surfaces.iter().zip(&mut self.places) {
-                if wall_frame(&surface.name) == name {
-                    place.pose = pose;
-                }
+            let frame = transform.child_frame_id;
+            if let Some(&index) = self.by_frame.get(&frame) {
+                self.places[index].pose = pose;
+                told.push(index);
             }
-            self.poses.insert(name, pose);
+            self.poses.insert(frame, pose);
         }
+        told
     }
 
     /// Where each wall is now, in the order of the surfaces.
@@ -86,14 +94,13 @@ impl Walls {
         self.places.clone()
     }
 
-    pub(crate) fn surfaces(&self) -> &[WallSurface] {
-        &self.surfaces
+    /// Where one wall is now, by its place among the surfaces.
+    pub(crate) fn place(&self, index: usize) -> WallPlace {
+        self.places[index]
     }
 
-    fn index(&self, name: &str) -> Option<usize> {
-        self.surfaces
-            .iter()
-            .position(|surface| surface.name == name)
+    pub(crate) fn surfaces(&self) -> &[WallSurface] {
+        &self.surfaces
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::state::{Row, vector};
 use crate::tally::Partner;
 use pelletflow_core::Vec3;
+use std::cmp::Ordering;
 
 /// A contact of a pellet, as the last step found it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -13,13 +14,14 @@ pub struct ContactView {
     pub radius: f64,
     /// What it touches.
     pub partner: ContactPartner,
-    /// Where they touch, halfway through the overlap as seen from the pellet, in the world [m].
+    /// Where they touch, halfway through the overlap as seen from the pellet, in the world; across a periodic border
+    /// beside the pellet [m].
     pub point: Vec3,
     /// Force of the contact on the pellet, friction and all, in the world [N].
     pub force: Vec3,
     /// Its part along the normal [N].
     pub normal_force: f64,
-    /// How far the two undeformed surfaces overlap [m].
+    /// How far the two undeformed surfaces overlap; less than 0 where adhesion holds them across a gap [m].
     pub overlap: f64,
 }
 
@@ -30,6 +32,18 @@ pub enum ContactPartner {
     Pellet(u32),
     /// A wall, by index in the setup.
     Wall(usize),
+}
+
+impl ContactView {
+    /// Orders contacts by pellet and partner; where these are the same, by place.
+    pub fn by_number(&self, other: &Self) -> Ordering {
+        let along = |axis: usize| self.point[axis].total_cmp(&other.point[axis]);
+        (self.pellet, self.partner)
+            .cmp(&(other.pellet, other.partner))
+            .then_with(|| along(0))
+            .then_with(|| along(1))
+            .then_with(|| along(2))
+    }
 }
 
 /// A contact that a step has worked out, with rows of the pellets as they were then.
@@ -77,17 +91,4 @@ impl KeptContact {
             overlap: self.overlap,
         }
     }
-}
-
-/// Sorts by pellet and partner; where these are the same, by place.
-pub(crate) fn sort(contacts: &mut [ContactView]) {
-    contacts.sort_unstable_by(|one, other| {
-        let [along_x, along_y, along_z] =
-            [0, 1, 2].map(|axis| one.point[axis].total_cmp(&other.point[axis]));
-        (one.pellet, one.partner)
-            .cmp(&(other.pellet, other.partner))
-            .then(along_x)
-            .then(along_y)
-            .then(along_z)
-    });
 }

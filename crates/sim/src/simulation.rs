@@ -1,7 +1,7 @@
 //! Model, state and workspace together.
 
 use crate::books::Books;
-use crate::contact_view::{self, ContactView};
+use crate::contact_view::ContactView;
 use crate::error::{SetupError, StepError};
 use crate::fill;
 use crate::hash;
@@ -114,9 +114,15 @@ impl Simulation {
                 workspace.keeps_contacts = *shows_contacts && left == 1;
                 left -= step(model, state, workspace, left)?;
             }
+            // Of steps in free flight too: there are none.
+            workspace.keeps_contacts = *shows_contacts && steps > 0;
             Ok(())
         };
-        within(pool.as_ref(), run)
+        let outcome = within(pool.as_ref(), run);
+        if outcome.is_err() {
+            workspace.keeps_contacts = false;
+        }
+        outcome
     }
 
     /// The three owners of data put together.
@@ -192,15 +198,14 @@ impl Simulation {
         self.shows_contacts = is_shown;
     }
 
-    /// Contacts as the last step found them, before it moved the pellets, in the order of their numbers; each pair of
-    /// pellets once. None unless they are [shown](Self::show_contacts), and before the first step.
-    pub fn contacts(&self) -> Vec<ContactView> {
+    /// Contacts as the last step found them, before it moved the pellets, each pair of pellets once; in storage order,
+    /// which changes: sort them by [`ContactView::by_number`] where order matters.
+    ///
+    /// They are not known unless they are [shown](Self::show_contacts), before the first step, and after one that failed.
+    pub fn contacts(&self) -> Option<impl Iterator<Item = ContactView> + '_> {
         let kept = self.workspace.chunks.iter().flat_map(|chunk| &chunk.kept);
-        let mut contacts: Vec<_> = kept
-            .map(|contact| contact.view(&self.state.pellets.id))
-            .collect();
-        contact_view::sort(&mut contacts);
-        contacts
+        let contacts = kept.map(|contact| contact.view(&self.state.pellets.id));
+        self.workspace.keeps_contacts.then_some(contacts)
     }
 
     /// Walls, in the order of the setup.

@@ -29,7 +29,7 @@ pub struct Workspace {
     pub(crate) walls: Vec<WallNow>,
     /// Whether stages run in parallel.
     pub(crate) is_parallel: bool,
-    /// Whether the step at work keeps its contacts for those who look.
+    /// Whether the step at work keeps its contacts for those who look, or the last one has.
     pub(crate) keeps_contacts: bool,
     /// Wall-clock time of each stage.
     pub(crate) profile: Profile,

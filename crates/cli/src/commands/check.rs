@@ -16,6 +16,8 @@ const SPEED: [f64; 2] = [1.0e6, 6.0e6];
 
 /// Memory per pellet with its contacts and neighbors, and of the program itself [B].
 const MEMORY_PER_PELLET: f64 = 1.0e3;
+/// What its contacts take beside, where they are recorded: kept by the step, and copied in three frames [B].
+const MEMORY_OF_CONTACTS: f64 = 1.2e3;
 const MEMORY_AT_REST: f64 = 3.0e7;
 
 /// What a recording takes of a pellet in a frame, compressed: in a dense flow, all channels but the spheres and contacts,
@@ -92,7 +94,7 @@ impl Forecast {
             kept_frames: kept_frames(scene).map(|kept| kept.min(frames)),
             frame_bytes: pellets * bytes_of_pellet(scene, pellets),
             threads,
-            memory: MEMORY_AT_REST + MEMORY_PER_PELLET * (filled + fed),
+            memory: MEMORY_AT_REST + memory_per_pellet(scene) * (filled + fed),
             wall_time: SPEED.map(|speed| particle_steps / (speed * threads as f64)),
             skipped: simulation
                 .skipped()
@@ -269,6 +271,15 @@ fn kept_frames(scene: &Scene) -> Option<f64> {
         .map(|reach| WORST_HITS as f64 * frames_within(2.0 * reach, scene) + 1.0);
     let asked: Vec<f64> = of_last.into_iter().chain(around).collect();
     (!asked.is_empty()).then(|| 1.0 + asked.into_iter().sum::<f64>())
+}
+
+/// Memory of each pellet at the most [B].
+fn memory_per_pellet(scene: &Scene) -> f64 {
+    if scene.output.contacts {
+        MEMORY_PER_PELLET + MEMORY_OF_CONTACTS
+    } else {
+        MEMORY_PER_PELLET
+    }
 }
 
 /// What a frame of so many pellets takes of each [B].

@@ -8,14 +8,15 @@ mod scene;
 mod vtk;
 
 use crate::error::ReadError;
-use crate::frames::read_frames;
+use crate::hits::names_of_walls;
 use crate::message::seconds;
 use crate::provenance;
 use crate::records::Records;
 use crate::tables::{
-    Bodies, CONTACTS, CONTACTS_METADATA, Contacts, Table, TableKind, Tables, read_tables, walls_of,
+    Bodies, CONTACTS, CONTACTS_METADATA, Contacts, PELLETS, Table, TableKind, Tables, read_tables,
 };
 use mcap::records::Record;
+use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -115,8 +116,7 @@ fn tables<S: Sheet>(
     let begin = |output: &mut Output, empty: &Table| {
         Parts::begin(output, empty, |file, table| create(file, table, &tables))
     };
-    let frames = bodies(recording, begin(output, &Bodies::default().table())?)?;
-    contacts(recording, |empty| begin(output, empty))?;
+    let frames = frames(recording, output, begin)?;
     Ok(Exported {
         files: std::mem::take(&mut output.files),
         frames,
@@ -124,67 +124,66 @@ fn tables<S: Sheet>(
     })
 }
 
-/// Writes all pellets of all frames; how many frames there are.
-fn bodies<S: Sheet>(recording: &Path, mut parts: Parts<S>) -> Result<usize, ExportError> {
-    let mut bodies = Bodies::default();
-    let mut frames = 0;
-    for frame in read_frames(recording)? {
-        let frame = frame?;
-        bodies.push(frame.time, &frame.pellets);
-        frames += 1;
-        if bodies.rows() >= ROWS_AT_ONCE {
-            parts.append(&std::mem::take(&mut bodies).table())?;
-        }
-    }
-    parts.append(&bodies.table())?;
-    parts.finish()?;
-    Ok(frames)
-}
-
-/// Writes all contacts of all frames, where they were recorded.
-fn contacts<S: Sheet>(
+/// Writes the pellets and contacts of all frames; how many frames of pellets there are.
+fn frames<S: Sheet>(
     recording: &Path,
-    begin: impl FnOnce(&Table) -> Result<Parts<S>, ExportError>,
-) -> Result<(), ExportError> {
-    let damaged = |reason: String| ReadError::Damaged {
+    output: &mut Output,
+    begin: impl Fn(&mut Output, &Table) -> Result<Parts<S>, ExportError>,
+) -> Result<usize, ExportError> {
+    let damaged = |topic: &str, reason: String| ReadError::Damaged {
         path: recording.into(),
-        reason: format!("the contacts: {reason}"),
+        reason: format!("a message of `{topic}`: {reason}"),
     };
-    let (mut walls, mut channel) = (Vec::new(), None);
-    let mut contacts = Contacts::default();
-    let mut begin = Some(begin);
-    let mut parts = None;
+    let of_contacts = |reason: String| damaged(CONTACTS, reason);
+    let (mut bodies, mut contacts) = (Bodies::default(), Contacts::default());
+    let mut bodies_parts = begin(output, &Bodies::default().table())?;
+    let (mut contacts_parts, mut walls) = (None, Vec::new());
+    let mut topics = BTreeMap::new();
+    let mut frames = 0;
     let mut records = Records::open(recording)?;
     while let Some(record) = records.next()? {
         match record {
             Record::Metadata(metadata) if metadata.name == CONTACTS_METADATA => {
-                walls = walls_of(&metadata.metadata).map_err(damaged)?;
+                walls = names_of_walls(&metadata.metadata).map_err(of_contacts)?;
             }
-            Record::Channel(opened) if opened.topic == CONTACTS => {
-                channel = Some(opened.id);
-                if let Some(begin) = begin.take() {
-                    let empty = Contacts::default().table(&walls).map_err(damaged)?;
-                    parts = Some(begin(&empty)?);
+            Record::Channel(channel) => {
+                if channel.topic == CONTACTS && contacts_parts.is_none() {
+                    let empty = Contacts::default().table(&walls).map_err(of_contacts)?;
+                    contacts_parts = Some(begin(output, &empty)?);
                 }
+                topics.insert(channel.id, channel.topic);
             }
-            Record::Message { header, data } if Some(header.channel_id) == channel => {
+            Record::Message { header, data } => {
                 let time = seconds(header.log_time);
-                contacts.take(time, &data).map_err(damaged)?;
+                match topics.get(&header.channel_id).map(String::as_str) {
+                    Some(PELLETS) => {
+                        let taken = bodies.take(time, &data);
+                        taken.map_err(|reason| damaged(PELLETS, reason))?;
+                        frames += 1;
+                    }
+                    Some(CONTACTS) => contacts.take(time, &data).map_err(of_contacts)?,
+                    _ => {}
+                }
             }
             _ => {}
         }
-        if contacts.rows() >= ROWS_AT_ONCE
-            && let Some(parts) = &mut parts
+        if bodies.rows() >= ROWS_AT_ONCE {
+            bodies_parts.append(&std::mem::take(&mut bodies).table())?;
+        }
+        if let Some(parts) = &mut contacts_parts
+            && contacts.rows() >= ROWS_AT_ONCE
         {
             let full = std::mem::take(&mut contacts);
-            parts.append(&full.table(&walls).map_err(damaged)?)?;
+            parts.append(&full.table(&walls).map_err(of_contacts)?)?;
         }
     }
-    if let Some(mut parts) = parts {
-        parts.append(&contacts.table(&walls).map_err(damaged)?)?;
+    bodies_parts.append(&bodies.table())?;
+    bodies_parts.finish()?;
+    if let Some(mut parts) = contacts_parts {
+        parts.append(&contacts.table(&walls).map_err(of_contacts)?)?;
         parts.finish()?;
     }
-    Ok(())
+    Ok(frames)
 }
 
 /// A table that is written in parts, so that memory does not grow with it.

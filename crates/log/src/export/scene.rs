@@ -4,11 +4,10 @@ use super::vtk::{Array, Collection, PolyData};
 use super::{ExportError, Exported, Output};
 use crate::error::ReadError;
 use crate::frames::PelletRecord;
+use crate::hits::names_of_walls;
 use crate::message::{pellets, seconds};
 use crate::records::Records;
-use crate::tables::{
-    CONTACTS, CONTACTS_METADATA, Contacts, Table, TableKind, Values, read_tables, walls_of,
-};
+use crate::tables::{CONTACTS, CONTACTS_METADATA, Contacts, Table, TableKind, Values, read_tables};
 use crate::walls::{WallPlace, WallSurface, Walls};
 use foxglove::messages::{FrameTransforms, PointCloud, SceneUpdate};
 use mcap::records::Record;
@@ -27,7 +26,7 @@ pub(super) fn write(recording: &Path, output: &mut Output) -> Result<Exported, E
         match record {
             Record::Metadata(metadata) if metadata.name == CONTACTS_METADATA => {
                 exporter.walls_of_contacts =
-                    walls_of(&metadata.metadata).map_err(|reason| ReadError::Damaged {
+                    names_of_walls(&metadata.metadata).map_err(|reason| ReadError::Damaged {
                         path: recording.into(),
                         reason: format!("the contacts: {reason}"),
                     })?;
@@ -180,7 +179,8 @@ fn placed(surface: &WallSurface, place: &WallPlace) -> PolyData {
     }
 }
 
-/// Hits or contacts as points, with every number that is known of all of them.
+/// Hits or contacts as points, with every number that is known of all of them, and with walls by index: -1 where the
+/// partner is a pellet.
 fn points_of(table: &Table) -> PolyData {
     let axes =
         ["x_m", "y_m", "z_m"].map(
@@ -194,6 +194,16 @@ fn points_of(table: &Table) -> PolyData {
     let mut values = Vec::new();
     for column in &table.columns {
         let array = match &column.values {
+            Values::Label { indices, .. } if column.name == "wall" => {
+                let wall = |(row, &index): (usize, &u32)| {
+                    if column.is_known(row) {
+                        index.cast_signed()
+                    } else {
+                        -1
+                    }
+                };
+                Array::Int32(indices.iter().enumerate().map(wall).collect())
+            }
             _ if column.is_known.is_some() || ["x_m", "y_m", "z_m"].contains(&&*column.name) => {
                 continue;
             }

@@ -25,6 +25,7 @@ pub(super) enum Array {
     Float32(Vec<f32>),
     Float64(Vec<f64>),
     UInt32(Vec<u32>),
+    Int32(Vec<i32>),
 }
 
 impl Array {
@@ -33,6 +34,7 @@ impl Array {
             Self::Float32(_) => "Float32",
             Self::Float64(_) => "Float64",
             Self::UInt32(_) => "UInt32",
+            Self::Int32(_) => "Int32",
         }
     }
 
@@ -47,6 +49,10 @@ impl Array {
                 .flat_map(|value| value.to_le_bytes())
                 .collect(),
             Self::UInt32(values) => values
+                .iter()
+                .flat_map(|value| value.to_le_bytes())
+                .collect(),
+            Self::Int32(values) => values
                 .iter()
                 .flat_map(|value| value.to_le_bytes())
                 .collect(),

@@ -45,6 +45,11 @@ pub(super) fn points<const N: usize>(
     fields: &[Field; N],
 ) -> Result<impl Iterator<Item = [[u8; FIELD_BYTES]; N]>, String> {
     let stride = cloud.point_stride as usize;
+    if stride < FIELD_BYTES * N {
+        return Err(format!(
+            "its points have {stride} bytes each, too few for {N} fields of four"
+        ));
+    }
     let mut offsets = [0; N];
     for ((name, kind), offset) in fields.iter().zip(&mut offsets) {
         let field = cloud

@@ -8,6 +8,7 @@ use super::{HitChannels, Recording};
 use crate::error::ReadError;
 use crate::message::spheres;
 use crate::records::Records;
+use crate::tables::CONTACTS;
 use foxglove::Schema;
 use mcap::McapError;
 use mcap::records::Record;
@@ -109,7 +110,7 @@ impl<W: Write + Seek> Recording<W> {
             _ => {
                 if let Some(meter) = topic.strip_prefix("/meters/") {
                     self.meter_channels.insert(meter.into(), channel);
-                } else if let Some(place) = contacts.filter(|_| topic == "/contacts") {
+                } else if let Some(place) = contacts.filter(|_| topic == CONTACTS) {
                     *place = channel;
                 } else if let Some(place) = hits.and_then(|hits| hits.of(topic)) {
                     *place = channel;
@@ -151,7 +152,7 @@ impl Message<'_> {
     /// Whether it is a part of a frame, and nobody misses it where the rest of that is left out.
     fn is_of_frame(&self) -> bool {
         match self.topic {
-            "/pellets" | "/contacts" | "/tf" => true,
+            "/pellets" | CONTACTS | "/tf" => true,
             // Spheres that are taken away would else stay forever.
             "/pellets/spheres" => !spheres::is_removal(self.bytes),
             _ => false,

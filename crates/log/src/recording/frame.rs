@@ -25,8 +25,10 @@ pub(crate) struct Frame {
     pub(crate) time: f64,
     /// Pellets, in the order in which they are stored.
     pub(crate) pellets: Vec<DrawnPellet>,
-    /// Contacts in the order of numbers, where they are shown.
+    /// Contacts, in the order in which they are stored.
     pub(crate) contacts: Vec<ContactView>,
+    /// Whether contacts are known.
+    pub(crate) has_contacts: bool,
     /// Where each wall is, in the order of the setup.
     pub(crate) poses: Vec<Pose>,
     pub(crate) mass: MassLedger,
@@ -46,15 +48,19 @@ impl Frame {
             force: pellet.max_normal_force,
         });
         self.pellets.extend(pellets);
-        self.contacts = simulation.contacts();
+        self.contacts.clear();
+        let contacts = simulation.contacts();
+        self.has_contacts = contacts.is_some();
+        self.contacts.extend(contacts.into_iter().flatten());
         self.poses.clear();
         self.poses.extend(simulation.walls().map(|wall| wall.pose));
         self.mass = simulation.mass_ledger();
         self.energy = simulation.energy_ledger();
     }
 
-    /// Sorts the pellets by their number.
+    /// Sorts pellets and contacts by their numbers.
     pub(crate) fn sort(&mut self) {
         self.pellets.sort_unstable_by_key(|pellet| pellet.id);
+        self.contacts.sort_unstable_by(ContactView::by_number);
     }
 }

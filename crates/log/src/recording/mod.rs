@@ -163,7 +163,9 @@ impl<W: Write + Seek> Recording<W> {
         let message = pellets::message(frame.time, &frame.pellets);
         self.pellets_channel
             .write(&mut self.writer, time, &message)?;
-        if let Some(channel) = &mut self.contacts_channel {
+        if let Some(channel) = &mut self.contacts_channel
+            && frame.has_contacts
+        {
             let message = contacts::message(frame.time, &frame.contacts);
             channel.write(&mut self.writer, time, &message)?;
         }

@@ -122,10 +122,13 @@ impl Gathered {
                     walls: self.walls.places(),
                 });
             }
-            "/equipment" => self.walls.take_update(decoded::<SceneUpdate>(data)?),
-            "/tf" => self
-                .walls
-                .take_transforms(decoded::<FrameTransforms>(data)?),
+            "/equipment" => {
+                self.walls.take_update(decoded::<SceneUpdate>(data)?);
+            }
+            "/tf" => {
+                self.walls
+                    .take_transforms(decoded::<FrameTransforms>(data)?);
+            }
             "/log" => {
                 let log: Log = decoded(data)?;
                 self.event_count += 1;

@@ -1,10 +1,12 @@
 //! Pellets of every frame.
 
 use super::{Column, Table, TableKind};
-use crate::frames::PelletRecord;
 use crate::message::pellets;
 use foxglove::messages::PointCloud;
 use prost::Message;
+
+/// Topic of pellets.
+pub(crate) const PELLETS: &str = "/pellets";
 
 /// A row for every pellet in every frame.
 #[derive(Default)]
@@ -18,15 +20,10 @@ pub(crate) struct Bodies {
 }
 
 impl Bodies {
-    pub(super) fn take(&mut self, time: f64, data: &[u8]) -> Result<(), String> {
+    /// Adds the pellets of a frame at a time [s], a message of [`PELLETS`].
+    pub(crate) fn take(&mut self, time: f64, data: &[u8]) -> Result<(), String> {
         let cloud = PointCloud::decode(data).map_err(|error| error.to_string())?;
-        self.push(time, &pellets::pellets(&cloud)?);
-        Ok(())
-    }
-
-    /// Adds the pellets of a frame.
-    pub(crate) fn push(&mut self, time: f64, pellets: &[PelletRecord]) {
-        for pellet in pellets {
+        for pellet in pellets::pellets(&cloud)? {
             self.time.push(time);
             self.id.push(pellet.id);
             for (column, coordinate) in self.position.iter_mut().zip(pellet.position) {
@@ -36,6 +33,7 @@ impl Bodies {
             self.speed.push(pellet.speed);
             self.force.push(pellet.force);
         }
+        Ok(())
     }
 
     /// Rows so far [-].

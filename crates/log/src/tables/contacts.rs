@@ -2,15 +2,13 @@
 
 use super::hits::wall_names;
 use super::{Column, Table, TableKind};
-use crate::hits::WALLS;
 use crate::message::contacts::{ContactRecord, contacts};
 use foxglove::messages::PointCloud;
 use prost::Message;
-use std::collections::BTreeMap;
 
 /// Topic of contacts.
 pub(crate) const CONTACTS: &str = "/contacts";
-/// Name of the metadata that goes with contacts; its [`WALLS`] are the names of the walls.
+/// Name of the metadata that goes with contacts; it has the names of the walls.
 pub(crate) const CONTACTS_METADATA: &str = "pelletflow.contacts";
 
 /// A row for every contact in every frame.
@@ -20,13 +18,8 @@ pub(crate) struct Contacts {
     rows: Vec<ContactRecord>,
 }
 
-/// Names of the walls in the metadata that goes with contacts; what is wrong with it.
-pub(crate) fn walls_of(metadata: &BTreeMap<String, String>) -> Result<Vec<String>, String> {
-    serde_json::from_str(metadata.get(WALLS).map_or("", String::as_str))
-        .map_err(|error| format!("its `{WALLS}` are no list of names: {error}"))
-}
-
 impl Contacts {
+    /// Adds the contacts of a frame at a time [s], a message of [`CONTACTS`].
     pub(crate) fn take(&mut self, time: f64, data: &[u8]) -> Result<(), String> {
         let cloud = PointCloud::decode(data).map_err(|error| error.to_string())?;
         self.rows.extend(contacts(&cloud)?);

@@ -13,14 +13,14 @@ mod table;
 mod unit;
 mod walls;
 
-pub(crate) use bodies::Bodies;
-pub(crate) use contacts::{CONTACTS, CONTACTS_METADATA, Contacts, walls_of};
+pub(crate) use bodies::{Bodies, PELLETS};
+pub(crate) use contacts::{CONTACTS, CONTACTS_METADATA, Contacts};
 pub use hits::hits_table;
 pub use table::{Column, Table, Values};
 pub(crate) use unit::{unit_of, words_of};
 
 use crate::error::ReadError;
-use crate::hits::{HitFacts, METADATA};
+use crate::hits::{HitFacts, METADATA, names_of_walls};
 use crate::message::seconds;
 use crate::provenance::{Provenance, RUN_METADATA};
 use crate::records::Records;
@@ -247,7 +247,7 @@ impl<'a> Reader<'a> {
         } else if name == METADATA {
             self.walls = HitFacts::read(&facts)?.walls;
         } else if name == CONTACTS_METADATA {
-            self.walls_of_contacts = walls_of(&facts)?;
+            self.walls_of_contacts = names_of_walls(&facts)?;
         }
         Ok(())
     }
@@ -302,7 +302,7 @@ impl<'a> Reader<'a> {
 /// The kind of table that a topic becomes, of the equipment the first, and its name.
 fn table_of(topic: &str) -> Option<(TableKind, &str)> {
     let kind = match topic {
-        "/pellets" => TableKind::Bodies,
+        PELLETS => TableKind::Bodies,
         CONTACTS => TableKind::Contacts,
         "/hits" => TableKind::Hits,
         "/hits/classes" => TableKind::HitClasses,

@@ -20,23 +20,24 @@ impl Equipment {
     /// Takes a message of `/equipment`.
     pub(super) fn take_update(&mut self, time: f64, data: &[u8]) -> Result<(), String> {
         let update = SceneUpdate::decode(data).map_err(|error| error.to_string())?;
-        self.walls.take_update(update);
-        self.note(time);
+        let told = self.walls.take_update(update);
+        self.note(time, &told);
         Ok(())
     }
 
     /// Takes a message of `/tf`.
     pub(super) fn take_transforms(&mut self, time: f64, data: &[u8]) -> Result<(), String> {
         let transforms = FrameTransforms::decode(data).map_err(|error| error.to_string())?;
-        self.walls.take_transforms(transforms);
-        self.note(time);
+        let told = self.walls.take_transforms(transforms);
+        self.note(time, &told);
         Ok(())
     }
 
-    /// Notes what has changed at a time [s]; of several changes at one time the last.
-    fn note(&mut self, time: f64) {
+    /// Notes what has changed of some walls at a time [s]; of several changes at one time the last.
+    fn note(&mut self, time: f64, told: &[usize]) {
         self.last.resize(self.walls.surfaces().len(), None);
-        for (wall, place) in self.walls.places().into_iter().enumerate() {
+        for &wall in told {
+            let place = self.walls.place(wall);
             let before = self.last[wall].map_or(WallPlace::UNKNOWN, |row| self.place[row]);
             if place == before || !(place.is_present || before.is_present) {
                 continue;
