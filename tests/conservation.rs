@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{RADIUS, floor, one, pellet, setup, simulation, smooth, wall};
+use common::{RADIUS, floor, one, pellet, setup, simulation, smooth, tube, wall};
 use pelletflow::core::contact::{TangentialLaw, TurningLaw};
 use pelletflow::core::{PairProperties, Shape, Vec3};
 use pelletflow::sim::{Fill, FillAmount, Integrator, Seats, Setup, Simulation, StepRequest};
@@ -144,19 +144,7 @@ fn pour(restitution: f64, integrator: Integrator) -> (bool, f64) {
     setup.integrator = integrator;
     setup.walls = vec![
         wall("floor", floor(0.0)),
-        wall(
-            "ring",
-            Shape::Difference {
-                of: Box::new(Shape::Cylinder {
-                    radius: 0.2,
-                    half_length: 0.3,
-                }),
-                minus: Box::new(Shape::Cylinder {
-                    radius: 0.08,
-                    half_length: 0.4,
-                }),
-            },
-        ),
+        wall("ring", tube([0.08, 0.2], 0.3)),
     ];
     setup.fills = vec![Fill {
         name: "bed".into(),

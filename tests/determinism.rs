@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{floor, setup, simulation_on, wall};
+use common::{floor, setup, simulation_on, tube, wall};
 use pelletflow::core::{PairProperties, Shape, Vec3};
 use pelletflow::sim::{
     Fill, FillAmount, Inlet, NeighborSearch, Outlet, PelletKind, Rate, Seats, Setup,
@@ -29,19 +29,7 @@ fn busy_scene() -> Setup {
     });
     setup.walls = vec![
         wall("floor", floor(0.05)),
-        wall(
-            "ring",
-            Shape::Difference {
-                of: Box::new(Shape::Cylinder {
-                    radius: 0.3,
-                    half_length: 0.3,
-                }),
-                minus: Box::new(Shape::Cylinder {
-                    radius: 0.15,
-                    half_length: 0.4,
-                }),
-            },
-        ),
+        wall("ring", tube([0.15, 0.3], 0.3)),
     ];
     let bed = |name: &str, pellets: usize, height: f64| Fill {
         name: name.into(),

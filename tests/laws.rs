@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{floor, one, setup, simulation_on, wall};
+use common::{floor, one, setup, simulation_on, tube, wall};
 use pelletflow::core::contact::{ContactLaws, NormalLaw, TangentialLaw, TurningLaw};
 use pelletflow::core::{PairProperties, Shape, Vec3};
 use pelletflow::sim::{Fill, FillAmount, Model, Seats, Simulation};
@@ -64,13 +64,7 @@ fn poured(laws: ContactLaws, threads: usize, time: f64) -> Simulation {
     };
     setup.walls = vec![
         wall("floor", floor(0.0)),
-        wall(
-            "tube",
-            Shape::Difference {
-                of: Box::new(cylinder(0.2, 0.5)),
-                minus: Box::new(cylinder(0.05, 0.6)),
-            },
-        ),
+        wall("tube", tube([0.05, 0.2], 0.5)),
     ];
     setup.fills = vec![Fill {
         name: "bed".into(),

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{GRAVITY, ORE, RADIUS, floor, setup, sheets, simulation_on, wall};
+use common::{GRAVITY, ORE, RADIUS, floor, setup, sheets, simulation_on, tube, wall};
 use pelletflow::core::contact::{ContactLaws, NormalLaw, TangentialLaw, TurningLaw};
 use pelletflow::core::{Bounds, PairProperties, Shape, Vec3};
 use pelletflow::sim::{
@@ -38,16 +38,7 @@ fn plant(laws: ContactLaws) -> Setup {
             max_diameter: 0.014,
         },
     });
-    let ring = Shape::Difference {
-        of: Box::new(Shape::Cylinder {
-            radius: 0.2,
-            half_length: 0.3,
-        }),
-        minus: Box::new(Shape::Cylinder {
-            radius: 0.11,
-            half_length: 0.4,
-        }),
-    };
+    let ring = tube([0.11, 0.2], 0.3);
     let plate = |size: Vec3, height: f64| {
         Shape::Cuboid {
             half_sides: size / 2.0,

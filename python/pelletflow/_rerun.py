@@ -45,8 +45,8 @@ FIXED_WALL, ACTIVE_WALL = (140, 153, 168, 20), (230, 140, 51, 60)
 OUTLINE = (89, 97, 107)
 #: The hardest hits [0 to 255].
 HIT = (214, 39, 40)
-#: Hits that are marked [-].
-WORST = 20
+#: Hits that are marked [-], and the radius of a mark over the pellet's diameter [-].
+WORST, MARK = 20, 0.6
 #: Distance of the eye over the longest way through the room that pellets pass [-], and from where.
 AWAY, FROM = 1.5, (0.35, -0.85, 0.4)
 #: Curves beside the view [-].
@@ -162,11 +162,12 @@ def _check(file: Path, recording: Path) -> None:
 
 
 def _blueprint(tables: Recording, scale: _Scale) -> Any:
+    import rerun
     from rerun import blueprint
 
     space = blueprint.Spatial3DView(origin="/", name=scale.words, eye_controls=_eye(tables.bodies))
     curves = [
-        blueprint.TimeSeriesView(origin=f"/meters/{name}", name=name)
+        blueprint.TimeSeriesView(origin=rerun.new_entity_path(["meters", name]), name=name)
         for name in list(tables.meters)[:CURVES]
     ]
     words = blueprint.TextLogView(origin="/log", name="what happened")
@@ -257,7 +258,7 @@ def _hits(stream: rerun.RecordingStream, tables: Recording) -> None:
         stream.set_time("time", duration=hits["peak_time_s"][row])
         mark = rerun.Points3D(
             [place],
-            radii=0.6 * hits["diameter_m"][row],
+            radii=MARK * hits["diameter_m"][row],
             colors=HIT,
             labels=words,
             show_labels=False,
@@ -269,17 +270,18 @@ def _hits(stream: rerun.RecordingStream, tables: Recording) -> None:
 def _curves(stream: rerun.RecordingStream, tables: Recording) -> None:
     import rerun
 
-    curves = {f"meters/{name}": table for name, table in tables.meters.items()}
+    curves = [(["meters", name], table) for name, table in tables.meters.items()]
     for name in ("mass_ledger", "energy_ledger"):
         if name in tables.tables:
-            curves[f"ledger/{name.removesuffix('_ledger')}"] = tables.tables[name]
-    for entity, table in curves.items():
+            curves.append((["ledger", name.removesuffix("_ledger")], tables.tables[name]))
+    for parts, table in curves:
         time = rerun.TimeColumn("time", duration=table["time_s"])
         for column in table:
             values = table[column]
             if column != "time_s" and values.dtype.kind in "fiu":
                 scalars = rerun.Scalars.columns(scalars=values.astype(np.float64))
-                stream.send_columns(f"{entity}/{column}", indexes=[time], columns=scalars)
+                entity = rerun.new_entity_path([*parts, column])
+                stream.send_columns(entity, indexes=[time], columns=scalars)
 
 
 def _events(stream: rerun.RecordingStream, tables: Recording) -> None:

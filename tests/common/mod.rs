@@ -101,6 +101,20 @@ pub(crate) fn floor(angle: f64) -> Shape {
     }
 }
 
+/// A tube about the vertical axis, by its radii and half its length; its bore goes on beyond its ends [m].
+pub(crate) fn tube([inner, outer]: [f64; 2], half_length: f64) -> Shape {
+    let cylinder = |radius: f64, half_length: f64| {
+        Box::new(Shape::Cylinder {
+            radius,
+            half_length,
+        })
+    };
+    Shape::Difference {
+        of: cylinder(outer, half_length),
+        minus: cylinder(inner, half_length + 0.1),
+    }
+}
+
 /// One pellet of the first kind at a place, with a velocity.
 pub(crate) fn one(name: &str, position: Vec3, velocity: Vec3) -> Fill {
     Fill {
